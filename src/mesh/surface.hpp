@@ -1,0 +1,36 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "math/vector3.hpp"
+
+namespace corpuscle {
+
+/// A triangle of a body's surface, seen by gas from both sides. Its normal follows the right hand over its nodes.
+struct Facet {
+    std::array<std::uint32_t, 3> node{};
+    std::uint32_t element = 0;  ///< the element it belongs to, over all parts
+    std::uint32_t part = 0;
+};
+
+/// Surface of the structure: facets over shared nodes.
+struct Surface {
+    std::vector<Facet> facets;
+};
+
+/// Where the nodes of a surface are at both ends of a step; in between they move on straight lines. [m]
+struct NodePath {
+    std::span<const Vector3d> start;
+    std::span<const Vector3d> end;
+
+    [[nodiscard]] Vector3d at(std::uint32_t node, double fraction) const
+    {
+        return start[node] + fraction * (end[node] - start[node]);
+    }
+};
+
+}  // namespace corpuscle

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace corpuscle {
+
+/// Threads that the loops below use. Results never depend on it: not one bit.
+void set_thread_count(int count);
+[[nodiscard]] int thread_count();
+
+/// Items that a sum adds up as one piece, whatever the number of threads.
+inline constexpr std::size_t chunk_size = 4096;
+
+/// body(i) for i in [0, count), in any order; bodies must not write what another reads.
+template <class Body>
+void for_each(std::size_t count, const Body& body)
+{
+#pragma omp parallel for schedule(static) if (count > 256)
+    for (std::size_t i = 0; i < count; ++i) body(i);
+}
+
+/// As `for_each` for items of very unequal cost: handed out `grain` at a time.
+template <class Body>
+void for_each_dynamic(std::size_t count, std::size_t grain, const Body& body)
+{
+    const int pieces = static_cast<int>(grain);
+#pragma omp parallel for schedule(dynamic, pieces) if (count > grain)
+    for (std::size_t i = 0; i < count; ++i) body(i);
+}
+
+/// As `for_each` for bodies that write only their own item: vectorised.
+template <class Body>
+void for_each_simd(std::size_t count, const Body& body)
+{
+#pragma omp parallel for simd schedule(static) if (count > 4096)
+    for (std::size_t i = 0; i < count; ++i) body(i);
+}
+
+/// body(part, begin, end): [0, count) in `parts` contiguous pieces, one task each (parts: see `part_count`).
+template <class Body>
+void for_each_part(std::size_t count, std::size_t parts, const Body& body)
+{
+#pragma omp parallel for schedule(static, 1)
+    for (std::size_t part = 0; part < parts; ++part) body(part, count * part / parts, count * (part + 1) / parts);
+}
+
+/// How many pieces are worth making of `count` items.
+[[nodiscard]] std::size_t part_count(std::size_t count, std::size_t smallest = 1024);
+
+/// Reduction in a fixed order: `term(begin, end)` reduces one chunk of at most `chunk_size` items to a T, and the chunks'
+/// results are added (+=) in order. The same bits for any number of threads.
+template <class T, class Term>
+T sum_chunks(std::size_t count, const Term& term)
+{
+    const std::size_t chunks = (count + chunk_size - 1) / chunk_size;
+    std::vector<T> partial(chunks);
+    for_each_dynamic(chunks, 1, [&](std::size_t c) { partial[c] = term(c * chunk_size, std::min(count, (c + 1) * chunk_size)); });
+    T total{};
+    for (const T& p : partial) total += p;
+    return total;
+}
+
+/// Sum of term(i) for i in [0, count), in a fixed order.
+template <class T, class Term>
+T sum(std::size_t count, const Term& term)
+{
+    return sum_chunks<T>(count, [&](std::size_t begin, std::size_t end) {
+        T total{};
+        for (std::size_t i = begin; i < end; ++i) total += term(i);
+        return total;
+    });
+}
+
+/// Smallest term(i), or `start` if none is smaller.
+template <class Term>
+double minimum(std::size_t count, double start, const Term& term)
+{
+    double least = start;
+#pragma omp parallel for schedule(static) reduction(min : least) if (count > 256)
+    for (std::size_t i = 0; i < count; ++i) least = std::min(least, static_cast<double>(term(i)));
+    return least;
+}
+
+/// Exclusive prefix sum in place; returns the total.
+template <class T>
+T exclusive_scan(std::vector<T>& values)
+{
+    T total{};
+    for (T& value : values) {
+        const T own = value;
+        value = total;
+        total += own;
+    }
+    return total;
+}
+
+}  // namespace corpuscle
