@@ -15,8 +15,12 @@ function(corpuscle_module name)
   endif()
   target_include_directories(${target} ${scope} ${face})
   foreach(lower ${ARGN})
+    if(NOT TARGET corpuscle_${lower})
+      message(FATAL_ERROR "module ${name} wants ${lower}, which does not stand below it; name the floors lowest first")
+    endif()
     target_link_libraries(${target} ${scope} corpuscle_${lower})
   endforeach()
+  set_property(GLOBAL APPEND PROPERTY CORPUSCLE_MODULES ${name})
 endfunction()
 
 # corpuscle_module_links(NAME LIBRARIES...): outside libraries of a module.
@@ -27,4 +31,15 @@ function(corpuscle_module_links name)
   else()
     target_link_libraries(corpuscle_${name} PUBLIC ${ARGN})
   endif()
+endfunction()
+
+# corpuscle_floors_table(): writes floors/includes.txt, a line "module folder folder ..." for each module: what it can include.
+# tools/floors_build.py tries every pair of modules with it.
+function(corpuscle_floors_table)
+  get_property(modules GLOBAL PROPERTY CORPUSCLE_MODULES)
+  set(table "")
+  foreach(module ${modules})
+    string(APPEND table "${module} $<JOIN:$<TARGET_PROPERTY:corpuscle_${module},INTERFACE_INCLUDE_DIRECTORIES>, >\n")
+  endforeach()
+  file(GENERATE OUTPUT ${CMAKE_BINARY_DIR}/floors/includes.txt CONTENT "${table}")
 endfunction()
