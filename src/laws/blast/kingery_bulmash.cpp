@@ -29,7 +29,7 @@ double value_on(const KingeryBulmashPiece& piece, double z)
 }
 
 /// Value of a curve; before its first piece the piece's first value.
-double curve(Burst burst, Quantity quantity, double z)
+double curve(Burst burst, BlastQuantity quantity, double z)
 {
     const KingeryBulmashPiece* last = nullptr;
     for (const KingeryBulmashPiece& piece : pieces_of(burst)) {
@@ -71,12 +71,12 @@ BlastWave kingery_bulmash(Burst burst, double mass, double distance)
     constexpr double kilo = 1e3, milli = 1e-3;
     const double root = std::cbrt(mass);
     BlastWave wave;
-    wave.arrival = milli * root * curve(burst, Quantity::arrival, z);
-    wave.duration = milli * root * curve(burst, Quantity::duration, z);
-    wave.incident_pressure = kilo * curve(burst, Quantity::incident_pressure, z);
-    wave.incident_impulse = kilo * milli * root * curve(burst, Quantity::incident_impulse, z);
-    wave.reflected_pressure = kilo * curve(burst, Quantity::reflected_pressure, z);
-    wave.reflected_impulse = kilo * milli * root * curve(burst, Quantity::reflected_impulse, z);
+    wave.arrival = milli * root * curve(burst, BlastQuantity::arrival, z);
+    wave.duration = milli * root * curve(burst, BlastQuantity::duration, z);
+    wave.incident_pressure = kilo * curve(burst, BlastQuantity::incident_pressure, z);
+    wave.incident_impulse = kilo * milli * root * curve(burst, BlastQuantity::incident_impulse, z);
+    wave.reflected_pressure = kilo * curve(burst, BlastQuantity::reflected_pressure, z);
+    wave.reflected_impulse = kilo * milli * root * curve(burst, BlastQuantity::reflected_impulse, z);
     return wave;
 }
 
