@@ -32,7 +32,7 @@ OUTSIDE = {
     re.compile(r"udunits2\.h$"): {"schema"},
     re.compile(r"(hdf5|H5\w*)\.h$"): {"output"},
     re.compile(r"toml\+\+/"): {"input"},
-    re.compile(r"nlohmann/"): {"simulation", "app"},
+    re.compile(r"nlohmann/"): {"output", "simulation", "app"},
     re.compile(r"CLI/"): {"app"},
     re.compile(r"(iostream|print)$"): {"app"},
     re.compile(r"(gtest|gmock|benchmark)/"): set(),

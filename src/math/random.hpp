@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -12,11 +13,25 @@ namespace corpuscle {
 /// What a random stream is drawn for; keeps streams of the same step and index apart.
 enum class Purpose : std::uint32_t { fill = 1, collide = 2, inflow = 3, contact = 4, packing = 5 };
 
+/// Uniform in (0, 1) from 32 random bits: odd multiples of 2^-24, so that neither end is ever reached, not even by rounding.
+[[nodiscard]] inline float unit_float(std::uint32_t word)
+{
+    return (static_cast<float>(word >> 9) + 0.5f) * 0x1p-23f;
+}
+
+/// Uniform in (0, 1) from 64 random bits: odd multiples of 2^-53.
+[[nodiscard]] inline double unit_double(std::uint32_t high, std::uint32_t low)
+{
+    const std::uint64_t bits = (static_cast<std::uint64_t>(high) << 20) ^ (low >> 12);
+    return (static_cast<double>(bits) + 0.5) * 0x1p-52;
+}
+
 /// A stream of random numbers that belongs to (seed, purpose, step, index) and to nothing else: the same on any thread.
 class Random {
 public:
     Random(std::uint64_t seed, Purpose purpose, std::uint64_t step, std::uint64_t index)
-        : key_{static_cast<std::uint32_t>(seed) ^ (static_cast<std::uint32_t>(purpose) << 24), static_cast<std::uint32_t>(seed >> 32) + static_cast<std::uint32_t>(purpose) * 0x9E3779B9u},
+        : key_{static_cast<std::uint32_t>(seed) ^ (static_cast<std::uint32_t>(purpose) << 24),
+               static_cast<std::uint32_t>(seed >> 32) + static_cast<std::uint32_t>(purpose) * 0x9E3779B9u},
           counter_{0, static_cast<std::uint32_t>(index), static_cast<std::uint32_t>(step),
                    static_cast<std::uint32_t>(index >> 32) ^ static_cast<std::uint32_t>(step >> 32) << 16}
     {
@@ -33,14 +48,14 @@ public:
         return words_[used_++];
     }
 
-    /// Uniform in (0, 1), 24 bits: never 0, never 1.
-    float uniform() { return (static_cast<float>(word() >> 8) + 0.5f) * 0x1p-24f; }
+    /// Uniform in (0, 1), 23 bits: never 0, never 1.
+    float uniform() { return unit_float(word()); }
 
-    /// Uniform in (0, 1), 53 bits.
+    /// Uniform in (0, 1), 52 bits: never 0, never 1.
     double uniform_double()
     {
-        const std::uint64_t high = word(), low = word();
-        return (static_cast<double>((high << 21) ^ (low >> 11)) + 0.5) * 0x1p-53;
+        const std::uint32_t high = word(), low = word();
+        return unit_double(high, low);
     }
 
     /// Uniform integer in [0, n).
