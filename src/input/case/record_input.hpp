@@ -1,0 +1,72 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "input/case/shape_input.hpp"
+
+// What a run records, as a case asks for it: probes, gauges, files.
+
+namespace corpuscle {
+
+enum class ProbeQuantity { displacement, velocity };
+
+/// A value to draw beside a probe's curve.
+struct ReferenceInput {
+    double value = 0;  ///< [m]
+    std::string label;
+};
+
+struct ProbeInput {
+    std::string name;
+    Vector3d node_at;  ///< [m]
+    std::vector<ProbeQuantity> quantities;
+    double every = 0;  ///< [s]
+    std::optional<ReferenceInput> reference;
+    Places places;
+};
+
+struct GaugeSphereInput {
+    Vector3d center;    ///< [m]
+    double radius = 0;  ///< [m]
+};
+
+/// Faces of the gas box.
+enum class FaceInput { x_lower, x_upper, y_lower, y_upper, z_lower, z_upper };
+
+struct GaugeInput {
+    std::string name;
+    std::optional<std::string> facets;
+    std::optional<GaugeSphereInput> sphere;
+    std::optional<BoxRanges> box;
+    std::optional<FaceInput> face;
+    double every = 0;  ///< [s]
+    Places places;
+};
+
+struct OutputInput {
+    std::optional<double> fields_every;  ///< [s]
+    double restart_every = 600;          ///< of wall clock [s]
+    std::size_t particles_shown = 200'000;
+    int averages = 48;
+    bool compress = false;
+    Places places;
+};
+
+template <>
+const std::vector<std::pair<std::string, ProbeQuantity>>& words_of<ProbeQuantity>();
+template <>
+const std::vector<std::pair<std::string, FaceInput>>& words_of<FaceInput>();
+template <>
+const Table& table_of<ReferenceInput>();
+template <>
+const Table& table_of<ProbeInput>();
+template <>
+const Table& table_of<GaugeSphereInput>();
+template <>
+const Table& table_of<GaugeInput>();
+template <>
+const Table& table_of<OutputInput>();
+
+}  // namespace corpuscle
