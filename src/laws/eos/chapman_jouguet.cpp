@@ -22,8 +22,8 @@ struct Front {
     [[nodiscard]] double hugoniot_pressure(double behind) const
     {
         const double cold = corpuscle::pressure(law, behind, 0);
-        const double slope = corpuscle::pressure(law, behind, 1) - cold;
-        return (cold + slope * energy) / (1 - 0.5 * slope * shrinkage(behind));
+        const double hot = corpuscle::pressure(law, behind, energy) - cold;
+        return (cold + hot) / (1 - 0.5 * hot / energy * shrinkage(behind));
     }
 
     /// v0 - v [m3/kg].
@@ -46,8 +46,9 @@ ChapmanJouguet chapman_jouguet(const EquationOfState& law, double density, doubl
     const Front front{law, density, energy};
     const double last = std::min(2 * density, 0.999 * largest_density(law));
     constexpr int pieces = 1000;
+    const bool plausible = density > 0 && energy > 0 && last > density;
     double low = density * (1 + 1e-6);
-    for (int i = 1; i <= pieces; ++i) {
+    for (int i = 1; plausible && i <= pieces; ++i) {
         const double high = density + (last - density) * i / pieces;
         if (front.excess(low) > 0 && !(front.excess(high) > 0)) {
             ChapmanJouguet state;
