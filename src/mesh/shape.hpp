@@ -51,7 +51,7 @@ public:
     [[nodiscard]] double volume() const;      ///< of the whole shape, exact [m3]
     /// Volume of the part within `box` [m3]: round-off for boxes, surfaces and cuts through the center, else better than 1e-8 of the whole.
     [[nodiscard]] double volume_within(const Box& box) const;
-    /// Whether the shape and the box share volume.
+    /// Whether more than 1e-9 of the shape lies within the box.
     [[nodiscard]] bool overlaps(const Box& box) const;
 
 private:
