@@ -1,5 +1,7 @@
 #include "laws/eos/equation_of_state.hpp"
 
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "base/error.hpp"
@@ -33,7 +35,7 @@ void check_law(const Jwl& law, const std::string& owner)
     require(law.r1 > 0, owner, "R1", law.r1, "R1 > 0");
     require(law.r2 > 0, owner, "R2", law.r2, "R2 > 0");
     require(law.a >= 0, owner, "A", law.a, "A >= 0");
-    require(law.b >= 0, owner, "B", law.b, "B >= 0");
+    require(std::isfinite(law.b), owner, "B", law.b, "finite numbers");
     require(law.reference_density > 0, owner, "reference_density", law.reference_density, "reference_density > 0");
 }
 
