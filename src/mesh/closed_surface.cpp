@@ -15,7 +15,8 @@ namespace corpuscle {
 namespace {
 
 /// Twice the signed area, in the y-z plane, of edge a -> b and the point; computed from the lower node, so that it only changes sign
-/// when the edge is read backwards. Zero counts as above zero from the lower node.
+/// when the edge is read backwards. Where it is zero, the point counts as shifted by a little in y and by far less in z: one shift
+/// for all edges, so that a line through a node crosses exactly one of the triangles around it (Edelsbrunner and Muecke 1990).
 struct EdgeSide {
     double value;
     bool left;
@@ -27,7 +28,8 @@ EdgeSide side_of(std::span<const Vector3d> nodes, std::uint32_t a, std::uint32_t
     const Vector3d& low = nodes[swapped ? b : a];
     const Vector3d& high = nodes[swapped ? a : b];
     const double value = (low.y - point.y) * (high.z - point.z) - (low.z - point.z) * (high.y - point.y);
-    return {swapped ? -value : value, (value >= 0.0) != swapped};
+    const double shifted = value != 0.0 ? value : low.z != high.z ? low.z - high.z : high.y - low.y;
+    return {swapped ? -value : value, (shifted > 0.0) != swapped};
 }
 
 /// The x at which the line along x through `point` crosses the triangle, and +1 where it leaves the body, -1 where it enters, 0 if it misses.
@@ -83,6 +85,18 @@ double column_volume(const Polygon& polygon, double floor)
     return volume;
 }
 
+/// The part of the polygon above the ceiling, pressed down onto it; nothing for a polygon that only touches it.
+Polygon pressed(const Polygon& polygon, double ceiling)
+{
+    Polygon above = clipped(polygon, 2, ceiling, -1.0);
+    bool touches_only = true;
+    for (int i = 0; i < above.count; ++i) {
+        touches_only = touches_only && above.corner[i].z == ceiling;
+        above.corner[i].z = ceiling;
+    }
+    return touches_only ? Polygon{} : above;
+}
+
 /// The same with z cut at the ceiling of the box, zero below its floor.
 double clipped_column_volume(const std::array<Vector3d, 3>& triangle, const Box& box)
 {
@@ -93,9 +107,7 @@ double clipped_column_volume(const std::array<Vector3d, 3>& triangle, const Box&
         polygon = clipped(polygon, axis, box.lower[axis], -1.0);
     }
     polygon = clipped(polygon, 2, box.lower.z, -1.0);
-    Polygon above = clipped(polygon, 2, box.upper.z, -1.0);
-    for (int i = 0; i < above.count; ++i) above.corner[i].z = box.upper.z;
-    return column_volume(clipped(polygon, 2, box.upper.z, 1.0), box.lower.z) + column_volume(above, box.lower.z);
+    return column_volume(clipped(polygon, 2, box.upper.z, 1.0), box.lower.z) + column_volume(pressed(polygon, box.upper.z), box.lower.z);
 }
 
 }  // namespace
