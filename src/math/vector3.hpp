@@ -30,7 +30,7 @@ struct Vector3 {
     friend constexpr Vector3 operator*(Vector3 a, T s) { return a *= s; }
     friend constexpr Vector3 operator*(T s, Vector3 a) { return a *= s; }
     friend constexpr Vector3 operator/(Vector3 a, T s) { return a *= (T(1) / s); }
-    friend constexpr bool operator==(const Vector3&, const Vector3&) = default;
+    friend constexpr bool operator==(const Vector3& a, const Vector3& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
 };
 
 using Vector3d = Vector3<double>;

@@ -1,0 +1,68 @@
+#include "structure/energy.hpp"
+
+#include <algorithm>
+
+#include "parallel/loops.hpp"
+
+namespace corpuscle {
+
+namespace {
+
+/// Kinetic energy of a node; 0 for one without mass. [J]
+double kinetic_energy(const Nodes& nodes, std::size_t i)
+{
+    const Vector3d velocity = nodes.contact_velocity(static_cast<std::uint32_t>(i));
+    return 0.5 * (nodes.mass[i] * norm_squared(velocity) + nodes.inertia[i] * norm_squared(nodes.angular_velocity[i]));
+}
+
+double kinetic_energy(const Nodes& nodes, std::size_t first, std::size_t count)
+{
+    return sum<double>(count, [&](std::size_t i) { return kinetic_energy(nodes, first + i); });
+}
+
+ElementEnergy element_energy(const Part& part)
+{
+    return std::visit([](const auto& elements) {
+        return sum<ElementEnergy>(elements.size(), [&](std::size_t e) { return elements.energy(e); });
+    }, part.elements);
+}
+
+}  // namespace
+
+StructureEnergy part_energy(const Structure& structure, const Part& part)
+{
+    const ElementEnergy held = element_energy(part);
+    return {kinetic_energy(structure.nodes, part.first_node, part.node_count), held.internal, held.plastic, held.hourglass, 0.0};
+}
+
+StructureEnergy energy(const Structure& structure)
+{
+    StructureEnergy all;
+    for (const Part& part : structure.parts) {
+        const StructureEnergy own = part_energy(structure, part);
+        all.kinetic += own.kinetic;
+        all.internal += own.internal;
+        all.plastic += own.plastic;
+        all.hourglass += own.hourglass;
+    }
+    all.integration = -structure.force_work - all.internal - all.hourglass;
+    return all;
+}
+
+double max_plastic_strain(const Part& part)
+{
+    return std::visit([](const auto& elements) {
+        double most = 0;
+        for (std::size_t e = 0; e < elements.size(); ++e) most = std::max(most, elements.values(e).plastic_strain);
+        return most;
+    }, part.elements);
+}
+
+Vector3d momentum(const Structure& structure)
+{
+    return sum<Vector3d>(structure.nodes.size(), [&](std::size_t i) {
+        return structure.nodes.mass[i] * structure.nodes.contact_velocity(static_cast<std::uint32_t>(i));
+    });
+}
+
+}  // namespace corpuscle

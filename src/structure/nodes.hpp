@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "math/vector3.hpp"
+#include "mesh/surface.hpp"
+
+namespace corpuscle {
+
+/// The nodes of a structure: where they are, how they move, what pushes them. All vectors have one entry a node.
+struct Nodes {
+    std::vector<Vector3d> reference;         ///< as meshed [m]
+    std::vector<Vector3d> previous;          ///< at the start of the step [m]
+    std::vector<Vector3d> position;          ///< at its end [m]
+    std::vector<Vector3d> velocity;          ///< carried previous to position [m/s]
+    std::vector<Vector3d> angular_velocity;  ///< [rad/s]
+    std::vector<Vector3d> force;             ///< internal, at `position`, written by resist [N]
+    std::vector<Vector3d> moment;            ///< internal, at `position`, written by resist [N m]
+    std::vector<Vector3d> impulse;           ///< from contacts and loads since the last accelerate [N s]
+    std::vector<double> mass;                ///< [kg]
+    std::vector<double> inertia;             ///< the same about every axis [kg m2]
+    std::vector<Vector3d> inverse_mass;      ///< per direction, 0 where held [1/kg]
+    std::vector<Vector3d> inverse_inertia;   ///< per direction, 0 where held [1/(kg m2)]
+
+    [[nodiscard]] std::size_t size() const { return position.size(); }
+
+    /// Where the nodes are at both ends of the step.
+    [[nodiscard]] NodePath path() const { return {previous, position}; }
+
+    /// Velocity a contact meets: with the impulses that wait for the next accelerate. [m/s]
+    [[nodiscard]] Vector3d contact_velocity(std::uint32_t node) const
+    {
+        return velocity[node] + scaled(impulse[node], inverse_mass[node]);
+    }
+
+    /// Adds nodes at rest at `places` [m], without mass and held by nothing; returns the index of the first.
+    std::uint32_t add(const std::vector<Vector3d>& places);
+};
+
+}  // namespace corpuscle

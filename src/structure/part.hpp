@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "laws/strength/material.hpp"
+#include "structure/elements/elements.hpp"
+
+namespace corpuscle {
+
+/// A part: elements of one kind and one material over nodes of its own.
+struct Part {
+    std::string name;
+    Material material;
+    Elements elements;
+    std::uint32_t first_node = 0;     ///< its nodes lie together
+    std::uint32_t node_count = 0;
+    std::uint32_t first_element = 0;  ///< its elements' numbers over all parts
+    std::uint32_t first_corner = 0;   ///< where its corner loads begin
+
+    [[nodiscard]] std::uint32_t element_count() const { return static_cast<std::uint32_t>(corpuscle::element_count(elements)); }
+    [[nodiscard]] bool rigid() const { return std::holds_alternative<RigidFacets>(elements); }
+};
+
+}  // namespace corpuscle
