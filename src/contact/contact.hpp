@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/clock.hpp"
+#include "fields/field.hpp"
+#include "fields/transfer.hpp"
+
+namespace corpuscle {
+
+/// Where two bodies, or a body and the world around it, exchange impulse and energy. Holds references to the bodies, which must
+/// outlive it and stay where they are.
+class Contact {
+public:
+    virtual ~Contact() = default;
+
+    /// For logs and restarts.
+    [[nodiscard]] virtual std::string name() const = 0;
+
+    /// Lets the bodies meet in the step of the clock; returns what each gave the other, equal and opposite.
+    virtual std::vector<Transfer> apply(const Clock& clock) = 0;
+
+    /// What a restart needs.
+    virtual FieldSet state() { return {}; }
+};
+
+}  // namespace corpuscle
