@@ -35,7 +35,8 @@ double push(Nodes& nodes, std::uint32_t node, const Vector3d& impulse)
 
 ConwepLoad::ConwepLoad(Structure& structure, std::uint32_t part, const ConwepCharge& charge)
     : structure_(structure),
-      part_name_(part < structure.parts.size() ? structure.parts[part].name : fmt::format("number {}", part)), detonation_time_(charge.time)
+      part_name_(part < structure.parts.size() ? structure.parts[part].name : fmt::format("number {}", part)),
+      detonation_time_(charge.time)
 {
     try {
         for (std::uint32_t i = 0; i < structure.surface.facets.size(); ++i) {
@@ -44,7 +45,8 @@ ConwepLoad::ConwepLoad(Structure& structure, std::uint32_t part, const ConwepCha
     } catch (const InputError& error) {
         throw InputError(fmt::format("ConWep load on part '{}': {}", part_name_, error.problem()), error.remedy());
     }
-    if (facets_.empty()) throw InputError(fmt::format("ConWep load on part '{}': it shows no surface", part_name_), "name a part made of shells");
+    if (facets_.empty())
+        throw InputError(fmt::format("ConWep load on part '{}': it shows no surface", part_name_), "name a part made of shells");
     specific_impulse_.assign(facets_.size(), 0.0);
     pressure_.assign(facets_.size(), 0.0);
     push_.resize(facets_.size());
@@ -83,7 +85,8 @@ std::vector<Transfer> ConwepLoad::apply(const Clock& clock)
     given.from = "conwep";
     given.to = "structure";
     for (std::size_t i = 0; i < facets_.size(); ++i) {
-        for (const std::uint32_t node : structure_.surface.facets[facets_[i]].node) given.energy += push(structure_.nodes, node, push_[i] / 3.0);
+        for (const std::uint32_t node : structure_.surface.facets[facets_[i]].node)
+            given.energy += push(structure_.nodes, node, push_[i] / 3.0);
         given.momentum += push_[i];
     }
     return {given};
@@ -104,8 +107,9 @@ FieldSet ConwepLoad::facet_fields()
                                               [this](std::size_t i) { return static_cast<float>(pressure_[i]); }));
     set.fields.push_back(derived_field<float>("peak_pressure", "Pa", "highest blast pressure of the pulse", count,
                                               [this](std::size_t i) { return static_cast<float>(loads_[i].peak()); }));
-    set.fields.push_back(derived_field<float>("arrival", "s", "when the blast arrives", count,
-                                              [this](std::size_t i) { return static_cast<float>(loads_[i].arrival() + detonation_time_); }));
+    set.fields.push_back(derived_field<float>("arrival", "s", "when the blast arrives", count, [this](std::size_t i) {
+        return static_cast<float>(loads_[i].arrival() + detonation_time_);
+    }));
     return set;
 }
 

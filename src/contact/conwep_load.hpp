@@ -19,9 +19,9 @@ struct ConwepCharge {
     double time = 0;                 ///< of detonation [s]
 };
 
-/// The empirical blast load on one part, in place of gas: each facet gets the pulse of its distance and angle on the face that sees the charge,
-/// and nothing on the other. Distance, angle and arrival are those of the part as meshed (it has hardly moved while the pulse lasts);
-/// the push follows the facet's present area and normal. Nothing shades anything. Positive phase only.
+/// The empirical blast load on one part, in place of gas: each facet gets the pulse of its distance and angle on the face that sees the
+/// charge, and nothing on the other. Distance, angle and arrival are those of the part as meshed (it has hardly moved while the pulse
+/// lasts); the push follows the facet's present area and normal. Nothing shades anything. Positive phase only.
 class ConwepLoad final : public Contact {
 public:
     /// Works out the pulse of every facet of structure.parts[part]; keeps a reference to the structure.

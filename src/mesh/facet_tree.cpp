@@ -1,7 +1,9 @@
 #include "mesh/facet_tree.hpp"
 
 #include <atomic>
+#include <string>
 
+#include "base/error.hpp"
 #include "mesh/moving_facet.hpp"
 #include "parallel/loops.hpp"
 
@@ -36,6 +38,15 @@ double motion(const Vector3d* from, const Vector3d* to)
     double farthest = 0;
     for (int i = 0; i < 3; ++i) farthest = std::max(farthest, norm_squared(to[i] - from[i]));
     return std::sqrt(farthest);
+}
+
+/// Stops a run whose facets have been lost to overflow: no grid holds them.
+void refuse_infinite(const std::vector<double>& sizes, const std::vector<double>& motions)
+{
+    for (std::size_t f = 0; f < sizes.size(); ++f) {
+        if (std::isfinite(sizes[f] + motions[f])) continue;
+        throw SafetyStop("surface facet " + std::to_string(f) + " is no longer at a finite place", "look for an unstable part, or take a smaller step");
+    }
 }
 
 /// The box about a facet in a step, a little wider than what rounding and overlapping edges need.
@@ -216,6 +227,7 @@ void FacetTree::place_grid()
     std::vector<double> sizes(facets_.size());
     for_each(sizes.size(), [&](std::size_t f) { sizes[f] = std::sqrt(norm(area_vector(&built_start_[3 * f]))); });
     const std::vector<double> far = motions();
+    refuse_infinite(sizes, far);
     Box box;
     for (const Vector3d& p : built_start_) box.include(p);
     for (const Vector3d& p : built_end_) box.include(p);
