@@ -43,7 +43,7 @@ test: tests
 	ctest --test-dir $(BUILD) -j $(JOBS) --output-on-failure --no-tests=error
 
 validate: build
-	tools/validate $(CORPUSCLE)
+	tools/validate.py $(CORPUSCLE)
 
 bench:
 	@tools/bootstrap test
