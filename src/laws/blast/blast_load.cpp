@@ -3,9 +3,11 @@
 namespace corpuscle {
 
 BlastLoad::BlastLoad(const BlastWave& wave, double cosine)
-    : arrival_(wave.arrival), incident_(fit_friedlander(wave.incident_pressure, wave.duration, wave.incident_impulse)),
+    : arrival_(wave.arrival),
+      incident_(fit_friedlander(wave.incident_pressure, wave.duration, wave.incident_impulse)),
       reflected_(fit_friedlander(wave.reflected_pressure, wave.duration, wave.reflected_impulse)),
-      incident_share_(cosine < 0 ? 1.0 : 1 + cosine * cosine - 2 * cosine), reflected_share_(cosine < 0 ? 0.0 : cosine * cosine)
+      incident_share_(cosine < 0 ? 1.0 : 1 + cosine * cosine - 2 * cosine),
+      reflected_share_(cosine < 0 ? 0.0 : cosine * cosine)
 {
 }
 

@@ -55,13 +55,15 @@ double Friedlander::impulse(double time) const
 Friedlander fit_friedlander(double peak, double duration, double impulse)
 {
     if (!(peak > 0 && duration > 0 && impulse > 0)) {
-        throw InputError(fmt::format("blast pulse: peak {:g} Pa, duration {:g} s and impulse {:g} Pa s must all be positive", peak, duration, impulse),
-                         "give a pulse that pushes");
+        throw InputError(
+            fmt::format("blast pulse: peak {:g} Pa, duration {:g} s and impulse {:g} Pa s must all be positive", peak, duration, impulse),
+            "give a pulse that pushes");
     }
     const double share = impulse / (peak * duration);
     if (share > share_until(1, fullest)) {
-        throw InputError(fmt::format("blast pulse: impulse {:g} Pa s is too large for a peak of {:g} Pa over {:g} s", impulse, peak, duration),
-                         "give a longer duration or a higher peak");
+        throw InputError(
+            fmt::format("blast pulse: impulse {:g} Pa s is too large for a peak of {:g} Pa over {:g} s", impulse, peak, duration),
+            "give a longer duration or a higher peak");
     }
     const double decay = find_root([&](double d) { return share_until(1, d) - share; }, fullest, 1 / share);
     return {peak, duration, decay};

@@ -60,13 +60,16 @@ double scaled_distance(double mass, double distance)
 
 BlastWave kingery_bulmash(Burst burst, double mass, double distance)
 {
-    if (!(mass > 0)) throw InputError(fmt::format("Kingery-Bulmash: a mass of {:g} kg is no charge", mass), "give the mass of TNT, more than nothing");
+    if (!(mass > 0))
+        throw InputError(fmt::format("Kingery-Bulmash: a mass of {:g} kg is no charge", mass), "give the mass of TNT, more than nothing");
     const double z = scaled_distance(mass, distance);
     const auto [nearest, farthest] = scaled_distance_range(burst);
     if (!(z >= nearest && z <= farthest)) {
-        throw InputError(fmt::format("Kingery-Bulmash: scaled distance Z = {:.4g} m/kg^(1/3) ({:g} m from {:g} kg of TNT) is outside {:g}..{:g} of a {} burst",
-                                     z, distance, mass, nearest, farthest, name_of(burst)),
-                         z < nearest ? "move the charge away from the surface, or use gas particles" : "leave the far surface out of the load");
+        throw InputError(
+            fmt::format(
+                "Kingery-Bulmash: scaled distance Z = {:.4g} m/kg^(1/3) ({:g} m from {:g} kg of TNT) is outside {:g}..{:g} of a {} burst",
+                z, distance, mass, nearest, farthest, name_of(burst)),
+            z < nearest ? "move the charge away from the surface, or use gas particles" : "leave the far surface out of the load");
     }
     constexpr double kilo = 1e3, milli = 1e-3;
     const double root = std::cbrt(mass);

@@ -27,8 +27,9 @@ struct BlastWave {
 [[nodiscard]] double scaled_distance(double mass, double distance);
 
 /// The curves of Kingery and Bulmash for a mass of TNT [kg] at a distance from its centre [m].
-/// Nearer than the curve of duration begins (Z 0.147 spherical, 0.178 hemispherical) its first value, per cube root of mass, is kept: the impulses
-/// are then still those of their curves. Throws InputError, naming Z and the range, outside `scaled_distance_range`, or for a mass not positive.
+/// Nearer than the curve of duration begins (Z 0.147 spherical, 0.178 hemispherical) its first value, per cube root of mass, is kept: the
+/// impulses are then still those of their curves. Throws InputError, naming Z and the range, outside `scaled_distance_range`, or for a mass
+/// not positive.
 [[nodiscard]] BlastWave kingery_bulmash(Burst burst, double mass, double distance);
 
 }  // namespace corpuscle

@@ -18,7 +18,8 @@ struct Front {
     double density;  ///< [kg/m3]
     double energy;   ///< [J/kg]
 
-    /// Pressure [Pa] of the products at `behind` [kg/m3] that keeps energy across the front, e - e0 = p (v0 - v)/2; p is linear in e in every law.
+    /// Pressure [Pa] of the products at `behind` [kg/m3] that keeps energy across the front, e - e0 = p (v0 - v)/2; p is linear in e in
+    /// every law.
     [[nodiscard]] double hugoniot_pressure(double behind) const
     {
         const double cold = corpuscle::pressure(law, behind, 0);

@@ -14,7 +14,8 @@ namespace {
 void require(bool right, const std::string& owner, const char* constant, double value, const char* range)
 {
     if (right) return;
-    throw InputError(fmt::format("{}: {} = {:g} is outside {}", owner, constant, value, range), fmt::format("give {} within {}", constant, range));
+    throw InputError(fmt::format("{}: {} = {:g} is outside {}", owner, constant, value, range),
+                     fmt::format("give {} within {}", constant, range));
 }
 
 void check_law(const IdealGas& law, const std::string& owner)

@@ -27,8 +27,10 @@ struct Jwl {
     {
         const Real compression = density * static_cast<Real>(1 / reference_density);
         const Real expansion = Real(1) / compression;
-        const Real first = (static_cast<Real>(a) - static_cast<Real>(a * omega / r1) * compression) * std::exp(static_cast<Real>(-r1) * expansion);
-        const Real second = (static_cast<Real>(b) - static_cast<Real>(b * omega / r2) * compression) * std::exp(static_cast<Real>(-r2) * expansion);
+        const Real first =
+            (static_cast<Real>(a) - static_cast<Real>(a * omega / r1) * compression) * std::exp(static_cast<Real>(-r1) * expansion);
+        const Real second =
+            (static_cast<Real>(b) - static_cast<Real>(b * omega / r2) * compression) * std::exp(static_cast<Real>(-r2) * expansion);
         return first + second;
     }
 

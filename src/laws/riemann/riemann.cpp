@@ -111,8 +111,8 @@ void check(const RiemannSide& side, const char* name)
 {
     if (side.density == 0) return;
     if (side.density > 0 && side.pressure > 0 && side.gamma > 1 && side.co_volume >= 0 && side.co_volume * side.density < 1) return;
-    throw InputError(fmt::format("Riemann problem: {} state (density {:g}, pressure {:g}, gamma {:g}, co-volume {:g}) is no gas", name, side.density,
-                                 side.pressure, side.gamma, side.co_volume),
+    throw InputError(fmt::format("Riemann problem: {} state (density {:g}, pressure {:g}, gamma {:g}, co-volume {:g}) is no gas", name,
+                                 side.density, side.pressure, side.gamma, side.co_volume),
                      "give density and pressure > 0, gamma > 1 and density * co-volume < 1");
 }
 
@@ -168,7 +168,8 @@ RiemannSolution::RiemannSolution(const RiemannSide& left, const RiemannSide& rig
         return;
     }
     pressure_ = polished(left_, right_mirrored_, interface_pressure(left_, right_mirrored_));
-    velocity_ = 0.5 * (left.velocity + right.velocity) + 0.5 * (velocity_loss(right_mirrored_, pressure_) - velocity_loss(left_, pressure_));
+    velocity_ =
+        0.5 * (left.velocity + right.velocity) + 0.5 * (velocity_loss(right_mirrored_, pressure_) - velocity_loss(left_, pressure_));
 }
 
 double RiemannSolution::star_density_left() const
@@ -188,7 +189,8 @@ double RiemannSolution::left_wave_speed() const
 
 double RiemannSolution::right_wave_speed() const
 {
-    return -(pressure_ > right_mirrored_.pressure ? shock_speed(right_mirrored_, pressure_) : right_mirrored_.velocity - right_mirrored_.sound_speed());
+    return -(pressure_ > right_mirrored_.pressure ? shock_speed(right_mirrored_, pressure_)
+                                                  : right_mirrored_.velocity - right_mirrored_.sound_speed());
 }
 
 RiemannSide RiemannSolution::at(double speed) const

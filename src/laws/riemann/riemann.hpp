@@ -6,10 +6,10 @@ namespace corpuscle {
 
 /// A gas at one side of a Riemann problem; an ideal gas is one whose co-volume is nothing. Density zero is vacuum.
 struct RiemannSide {
-    double density = 0;   ///< [kg/m3]
-    double velocity = 0;  ///< [m/s]
-    double pressure = 0;  ///< [Pa]
-    double gamma = 1.4;   ///< heat capacity ratio
+    double density = 0;    ///< [kg/m3]
+    double velocity = 0;   ///< [m/s]
+    double pressure = 0;   ///< [Pa]
+    double gamma = 1.4;    ///< heat capacity ratio
     double co_volume = 0;  ///< volume kept by the molecules of a kilogram [m3/kg]
 
     [[nodiscard]] double sound_speed() const;  ///< [m/s], 0 in vacuum

@@ -122,7 +122,8 @@ TEST(ConwepLoad, work_is_the_kinetic_energy_of_free_nodes)
     for (std::size_t i = 0; i < structure.nodes.size(); ++i) structure.nodes.velocity[i] = {1.0, -2.0, 3.0 + 0.1 * static_cast<double>(i)};
     const auto kinetic = [&] {
         double energy = 0;
-        for (std::uint32_t i = 0; i < structure.nodes.size(); ++i) energy += 0.5 * structure.nodes.mass[i] * norm_squared(structure.nodes.contact_velocity(i));
+        for (std::uint32_t i = 0; i < structure.nodes.size(); ++i)
+            energy += 0.5 * structure.nodes.mass[i] * norm_squared(structure.nodes.contact_velocity(i));
         return energy;
     };
     ConwepLoad load(structure, 0, charge);
@@ -192,7 +193,8 @@ TEST(ConwepLoad, refusals_name_part_and_range)
         }
         return std::string("accepted");
     };
-    EXPECT_THAT(message_of(0, {15, {0, 0, 0.1}, Burst::spherical, 0}), testing::AllOf(testing::HasSubstr("part 'number 0'"), testing::HasSubstr("0.0531..40")));
+    EXPECT_THAT(message_of(0, {15, {0, 0, 0.1}, Burst::spherical, 0}),
+                testing::AllOf(testing::HasSubstr("part 'number 0'"), testing::HasSubstr("0.0531..40")));
     EXPECT_THAT(message_of(0, {1, {0, 0, 41}, Burst::spherical, 0}), testing::HasSubstr("0.0531..40"));
     EXPECT_THAT(message_of(3, charge), testing::HasSubstr("no surface"));
 }

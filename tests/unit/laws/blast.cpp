@@ -96,7 +96,8 @@ TEST(KingeryBulmash, refuses_distances_outside_its_curves_by_name)
         }
         return std::string("accepted");
     };
-    EXPECT_THAT(message_of(Burst::spherical, 1, 0.053), testing::AllOf(testing::HasSubstr("Z = 0.053"), testing::HasSubstr("0.0531..40 of a spherical")));
+    EXPECT_THAT(message_of(Burst::spherical, 1, 0.053),
+                testing::AllOf(testing::HasSubstr("Z = 0.053"), testing::HasSubstr("0.0531..40 of a spherical")));
     EXPECT_THAT(message_of(Burst::hemispherical, 1, 0.06), testing::HasSubstr("0.0674..40 of a hemispherical"));
     EXPECT_THAT(message_of(Burst::spherical, 8, 81), testing::HasSubstr("Z = 40.5"));
     EXPECT_THAT(message_of(Burst::spherical, 0, 1), testing::HasSubstr("mass"));

@@ -57,7 +57,8 @@ TEST(EquationOfState, whole_pressure_is_kinetic_plus_virial)
     for (const EquationOfState& law : laws) {
         for (const double density : {0.5, 30.0, 600.0, 1500.0}) {
             const double e = 3e6, kinetic = (heat_capacity_ratio(law) - 1) * density * e;
-            EXPECT_NEAR((kinetic + virial_pressure(law, density, kinetic)) / pressure(law, density, e), 1, 1e-14) << law_name(law) << " " << density;
+            EXPECT_NEAR((kinetic + virial_pressure(law, density, kinetic)) / pressure(law, density, e), 1, 1e-14)
+                << law_name(law) << " " << density;
         }
     }
 }

@@ -37,7 +37,8 @@ EquationOfState law_of(const toml::table& preset)
     const auto law = preset["law"];
     const double density = number(preset["density"], "kg/m3");
     if (const auto jwl = law["jwl"]) {
-        return Jwl{number(jwl["A"], "Pa"), number(jwl["B"], "Pa"), number(jwl["R1"], "1"), number(jwl["R2"], "1"), number(jwl["omega"], "1"), density};
+        return Jwl{number(jwl["A"], "Pa"), number(jwl["B"], "Pa"),    number(jwl["R1"], "1"),
+                   number(jwl["R2"], "1"), number(jwl["omega"], "1"), density};
     }
     if (const auto gas = law["noble_abel"]) {
         return NobleAbel{number(gas["gamma"], "1"), number(gas["co_volume"], "1"), number(gas["reference_density"], "kg/m3")};
@@ -51,22 +52,13 @@ struct Expected {
     double velocity, miss, pressure, c;
 };
 
-const std::map<std::string, Expected> expected{{"tnt", {6.93, -0.01, 21.00, 1.0452}},
-                                               {"c4", {8.193, 0.00, 28.00, 1.0433}},
-                                               {"petn", {8.30, 0.01, 33.51, 0.6987}},
-                                               {"hmx", {9.11, -1.26, 39.95, 1.1009}},
-                                               {"comp_a3", {8.30, 0.00, 30.00, 1.0856}},
-                                               {"comp_b", {7.98, 0.00, 29.50, 1.0819}},
-                                               {"cyclotol_77_23", {8.25, 0.00, 32.00, 1.0753}},
-                                               {"lx_10", {8.82, 0.00, 37.50, 1.2957}},
-                                               {"lx_14", {8.80, 0.00, 37.00, 1.2958}},
-                                               {"octol_78_22", {8.48, 0.07, 34.23, 1.1827}},
-                                               {"pentolite", {7.53, 0.00, 25.50, 1.0332}},
-                                               {"petn_1500", {7.45, 0.05, 22.00, 1.1515}},
-                                               {"petn_1260", {6.54, -0.25, 14.00, 1.2661}},
-                                               {"petn_880", {5.17, -1.85, 6.18, 0.9423}},
-                                               {"tetryl", {7.91, 0.04, 28.53, 0.7880}},
-                                               {"nitromethane", {6.28, -0.29, 12.50, 0.7705}}};
+const std::map<std::string, Expected> expected{
+    {"tnt", {6.93, -0.01, 21.00, 1.0452}},           {"c4", {8.193, 0.00, 28.00, 1.0433}},       {"petn", {8.30, 0.01, 33.51, 0.6987}},
+    {"hmx", {9.11, -1.26, 39.95, 1.1009}},           {"comp_a3", {8.30, 0.00, 30.00, 1.0856}},   {"comp_b", {7.98, 0.00, 29.50, 1.0819}},
+    {"cyclotol_77_23", {8.25, 0.00, 32.00, 1.0753}}, {"lx_10", {8.82, 0.00, 37.50, 1.2957}},     {"lx_14", {8.80, 0.00, 37.00, 1.2958}},
+    {"octol_78_22", {8.48, 0.07, 34.23, 1.1827}},    {"pentolite", {7.53, 0.00, 25.50, 1.0332}}, {"petn_1500", {7.45, 0.05, 22.00, 1.1515}},
+    {"petn_1260", {6.54, -0.25, 14.00, 1.2661}},     {"petn_880", {5.17, -1.85, 6.18, 0.9423}},  {"tetryl", {7.91, 0.04, 28.53, 0.7880}},
+    {"nitromethane", {6.28, -0.29, 12.50, 0.7705}}};
 
 TEST(Presets, explosives_reproduce_their_detonation)
 {

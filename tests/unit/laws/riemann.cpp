@@ -44,7 +44,8 @@ double jump_error(const RiemannSide& a, const RiemannSide& b, double speed)
     double worst = 0;
     for (int k = 0; k < 3; ++k) {
         const double terms[4] = {flux(a)[k], flux(b)[k], speed * conserved(a)[k], speed * conserved(b)[k]};
-        const double scale = std::fmax(std::fmax(std::abs(terms[0]), std::abs(terms[1])), std::fmax(std::abs(terms[2]), std::abs(terms[3])));
+        const double scale =
+            std::fmax(std::fmax(std::abs(terms[0]), std::abs(terms[1])), std::fmax(std::abs(terms[2]), std::abs(terms[3])));
         worst = std::fmax(worst, std::abs(terms[1] - terms[0] - terms[3] + terms[2]) / scale);
     }
     return worst;
@@ -80,7 +81,8 @@ TEST(Riemann, the_five_tests_of_Toro)
     expect_star({{1, -2, 0.4}, {1, 2, 0.4}}, {0.00189, 0, 0.02185, 0.02185}, {5.1e-6, 1e-14, 5.1e-6, 5.1e-6});
     expect_star({{1, 0, 1000}, {1, 0, 0.01}}, {460.894, 19.5975, 0.57506, 5.99924}, {5.1e-4, 5.1e-5, 5.1e-6, 5.1e-6});
     expect_star({{1, 0, 0.01}, {1, 0, 100}}, {46.0950, -6.19633, 5.99242, 0.57511}, {5.1e-5, 5.1e-6, 5.1e-6, 5.1e-6});
-    expect_star({{5.99924, 19.5975, 460.894}, {5.99242, -6.19633, 46.0950}}, {1691.64, 8.68975, 14.2823, 31.0426}, {1e-5 * 1691.64, 1e-5 * 8.68975, 5.1e-5, 5.1e-5});
+    expect_star({{5.99924, 19.5975, 460.894}, {5.99242, -6.19633, 46.0950}}, {1691.64, 8.68975, 14.2823, 31.0426},
+                {1e-5 * 1691.64, 1e-5 * 8.68975, 5.1e-5, 5.1e-5});
 }
 
 TEST(Riemann, Sod_to_eight_digits)
@@ -101,7 +103,8 @@ TEST(Riemann, waves_obey_jump_conditions_or_keep_entropy_and_invariant)
         const double gap = 1e-9 * (solution.right_wave_speed() - solution.left_wave_speed());
         const RiemannSide left = solution.at(solution.star_velocity() - gap), right = solution.at(solution.star_velocity() + gap);
         EXPECT_NEAR(left.pressure / right.pressure, 1, 1e-14);
-        const double scale = std::abs(left.velocity) + std::abs(pair.left.velocity) + std::abs(pair.right.velocity) + 1e-9 * left.sound_speed();
+        const double scale =
+            std::abs(left.velocity) + std::abs(pair.left.velocity) + std::abs(pair.right.velocity) + 1e-9 * left.sound_speed();
         EXPECT_NEAR(left.velocity, right.velocity, 1e-12 * scale);
         if (left.pressure > pair.left.pressure) {
             EXPECT_LT(jump_error(pair.left, left, solution.left_wave_speed()), 1e-12);
@@ -148,7 +151,8 @@ TEST(Riemann, whole_profile_keeps_mass_momentum_and_energy)
         for (int k = 0; k < 3; ++k) {
             const double before = reach * (conserved(pair.left)[k] + conserved(pair.right)[k]);
             const double expected = before + flux(pair.left)[k] - flux(pair.right)[k];
-            const double scale = reach * (std::abs(conserved(pair.left)[k]) + std::abs(conserved(pair.right)[k])) + std::abs(flux(pair.left)[k]) + std::abs(flux(pair.right)[k]);
+            const double scale = reach * (std::abs(conserved(pair.left)[k]) + std::abs(conserved(pair.right)[k])) +
+                                 std::abs(flux(pair.left)[k]) + std::abs(flux(pair.right)[k]);
             EXPECT_NEAR((content[k] - expected) / scale, 0, 1e-3) << k;
         }
     }
