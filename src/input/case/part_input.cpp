@@ -91,11 +91,11 @@ const Table& table_of<MeshInput>()
 }
 
 template <>
-const Table& table_of<ShellInput>()
+const Table& table_of<ShellSection>()
 {
-    static const Table table = TableBuilder<ShellInput>("shell", "Belytschko-Lin-Tsay shells.")
-                                   .need("thickness", &ShellInput::thickness, {"m", above(0), "Thickness; the mesh is its middle.", "\"20 mm\""})
-                                   .row("points", &ShellInput::points, {"", from_to(3, 10), "Integration points through the thickness.", "5"})
+    static const Table table = TableBuilder<ShellSection>("shell", "Belytschko-Lin-Tsay shells.")
+                                   .need("thickness", &ShellSection::thickness, {"m", above(0), "Thickness; the mesh is its middle.", "\"20 mm\""})
+                                   .row("points", &ShellSection::points, {"", from_to(3, 10), "Integration points through the thickness.", "5"})
                                    .table();
     return table;
 }

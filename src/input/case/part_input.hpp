@@ -50,7 +50,7 @@ struct MeshInput {
     Places places;
 };
 
-struct ShellInput {
+struct ShellSection {
     double thickness = 0;  ///< [m]
     int points = 5;
 };
@@ -60,7 +60,7 @@ enum class PlainElement { rigid };
 /// What the part's elements are: shells with a thickness, or rigid.
 struct ElementInput {
     std::optional<PlainElement> plain;
-    std::optional<ShellInput> shell;
+    std::optional<ShellSection> shell;
 };
 
 /// Directions a support holds.
@@ -115,7 +115,7 @@ const Table& table_of<BoxMeshInput>();
 template <>
 const Table& table_of<MeshInput>();
 template <>
-const Table& table_of<ShellInput>();
+const Table& table_of<ShellSection>();
 template <>
 const Table& table_of<ElementInput>();
 template <>

@@ -20,10 +20,18 @@ const std::vector<std::pair<std::string, FaceInput>>& words_of<FaceInput>()
 }
 
 template <>
+const std::vector<std::pair<std::string, Component>>& words_of<Component>()
+{
+    static const std::vector<std::pair<std::string, Component>> words{{"x", Component::x}, {"y", Component::y}, {"z", Component::z}};
+    return words;
+}
+
+template <>
 const Table& table_of<ReferenceInput>()
 {
     static const Table table = TableBuilder<ReferenceInput>("reference", "A length the report draws as a dashed line beside the displacement: an experiment, another code.")
-                                   .need("value", &ReferenceInput::value, {"m", {}, "The value.", "\"47 mm\""})
+                                   .need("value", &ReferenceInput::value, {"m", {}, "The value, with its sign.", "\"-47 mm\""})
+                                   .row("component", &ReferenceInput::component, {"", {}, "Of the displacement.", "\"z\""})
                                    .need("label", &ReferenceInput::label, {"", {}, "Where it is from.", "\"experiment\""})
                                    .table();
     return table;
@@ -37,7 +45,7 @@ const Table& table_of<ProbeInput>()
                                    .need("node_at", &ProbeInput::node_at, {"m", {}, "The node nearest to this point is taken.", "[0, 0, 0]"})
                                    .need("quantities", &ProbeInput::quantities, {"", {}, "What is written.", "[\"displacement\", \"velocity\"]"})
                                    .need("every", &ProbeInput::every, {"s", above(0), "Interval of the history.", "\"10 us\""})
-                                   .row("reference", &ProbeInput::reference, {"", {}, "A value to compare with.", "{ value = \"47 mm\", label = \"experiment\" }"})
+                                   .row("reference", &ProbeInput::reference, {"", {}, "A value to compare with.", "{ value = \"-47 mm\", label = \"experiment\" }"})
                                    .table();
     return table;
 }

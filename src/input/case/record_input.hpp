@@ -12,9 +12,13 @@ namespace corpuscle {
 
 enum class ProbeQuantity { displacement, velocity };
 
-/// A value to draw beside a probe's curve.
+/// Components of a vector.
+enum class Component { x, y, z };
+
+/// A value to draw beside a probe's displacement.
 struct ReferenceInput {
     double value = 0;  ///< [m]
+    Component component = Component::z;
     std::string label;
 };
 
@@ -58,6 +62,8 @@ template <>
 const std::vector<std::pair<std::string, ProbeQuantity>>& words_of<ProbeQuantity>();
 template <>
 const std::vector<std::pair<std::string, FaceInput>>& words_of<FaceInput>();
+template <>
+const std::vector<std::pair<std::string, Component>>& words_of<Component>();
 template <>
 const Table& table_of<ReferenceInput>();
 template <>

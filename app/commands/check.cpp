@@ -1,0 +1,88 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "app/commands/commands.hpp"
+#include "app/terminal/table.hpp"
+#include "input/case/read_case.hpp"
+#include "input/memory.hpp"
+#include "input/presets.hpp"
+#include "input/survey.hpp"
+#include "mesh/quality.hpp"
+#include "parallel/loops.hpp"
+
+namespace corpuscle {
+
+namespace {
+
+void print_gas(const GasPlan& plan)
+{
+    TextTable table({"gas", "law", "mass [kg]", "particles", "particle mass [kg]"});
+    for (std::size_t i = 0; i < plan.fills.size(); ++i) {
+        const Species& species = plan.gas.species[plan.fills[i].species];
+        const std::string name = plan.fills[i].charge >= 0 ? fmt::format("{} (charge {})", species.name, plan.fills[i].charge + 1) : species.name;
+        table.row({name, law_name(species.law), fmt::format("{:.6g}", plan.masses[i]), fmt::format("{}", plan.counts[i]), fmt::format("{:.4g}", species.particle_mass)});
+    }
+    fmt::print("{}", table.text());
+    const auto [least, most] = std::minmax_element(plan.gas.species.begin(), plan.gas.species.end(), [](const Species& a, const Species& b) { return a.particle_mass < b.particle_mass; });
+    fmt::print("heaviest over lightest particle: {:.3g}\n\n", most->particle_mass / least->particle_mass);
+}
+
+double mass_of(const Structure& structure, const Part& part)
+{
+    double mass = 0;
+    for (std::uint32_t n = part.first_node; n < part.first_node + part.node_count; ++n) mass += structure.nodes.mass[n];
+    return mass;
+}
+
+void print_structure(const CaseDescription& description, const Structure& structure)
+{
+    TextTable table({"part", "kind", "elements", "nodes", "mass [kg]", "edges [mm]", "worst Jacobian"});
+    for (std::size_t i = 0; i < structure.parts.size(); ++i) {
+        const Part& part = structure.parts[i];
+        const MeshQuality quality = check(make_mesh(description.parts[i], description));
+        table.row({part.name, part.rigid() ? "rigid" : "shell", fmt::format("{}", part.element_count()), fmt::format("{}", part.node_count), part.rigid() ? "-" : fmt::format("{:.6g}", mass_of(structure, part)),
+                   fmt::format("{:.3g} to {:.3g}", 1e3 * quality.min_edge, 1e3 * quality.max_edge), fmt::format("{:.2f}", quality.min_scaled_jacobian)});
+    }
+    fmt::print("{}\n", table.text());
+}
+
+/// Seconds a run takes, about: 60 ns a particle and step on two threads, 250 ns a shell and step on one.
+double expected_seconds(const Survey& survey, double steps)
+{
+    const double particles = survey.gas ? static_cast<double>(survey.gas->particles()) : 0;
+    const double work = 120e-9 * particles + 250e-9 * static_cast<double>(survey.structure.element_count());
+    return steps * (work / std::max(1, thread_count()) + 20e-6);
+}
+
+std::string duration_text(double seconds)
+{
+    if (seconds < 120) return fmt::format("{:.2g} s", seconds);
+    if (seconds < 7200) return fmt::format("{:.2g} min", seconds / 60);
+    return fmt::format("{:.2g} h", seconds / 3600);
+}
+
+}  // namespace
+
+CaseDescription case_of(const Options& options)
+{
+    CaseDescription description = read_case(options.subject, options.settings);
+    resolve_presets(description, preset_folders(description.folder, options.installed_share()));
+    return description;
+}
+
+int check_command(const Options& options)
+{
+    const CaseDescription description = case_of(options);
+    const Survey survey = corpuscle::survey(description);
+    fmt::print("{}\n\n", description.title.empty() ? description.file.string() : description.title);
+    if (survey.gas) print_gas(*survey.gas);
+    if (!survey.structure.parts.empty()) print_structure(description, survey.structure);
+    const double steps = expected_steps(survey, description.end_time);
+    fmt::print("memory about {}, steps about {:.2g}, wall time about {} on {} threads\n", bytes_text(survey.memory), steps, duration_text(expected_seconds(survey, steps)), thread_count());
+    for (const std::string& warning : survey.warnings) fmt::print("warning: {}\n", warning);
+    fmt::print("the case is good\n");
+    return 0;
+}
+
+}  // namespace corpuscle

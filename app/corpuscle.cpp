@@ -1,0 +1,6 @@
+#include "app/command_line.hpp"
+
+int main(int argc, char** argv)
+{
+    return corpuscle::run_command_line(argc, argv);
+}

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace corpuscle {
+
+/// What the command line gave, for all commands.
+struct Options {
+    std::string subject;                ///< case, folder, name or key
+    std::vector<std::string> settings;  ///< --set key=value
+    std::string out;                    ///< --out, empty: chosen
+    int threads = 0;                    ///< 0: as many as the machine has
+    bool quiet = false;
+    bool force = false;
+    bool markdown = false;
+    std::filesystem::path program;      ///< of this executable
+
+    /// Folders of presets that came with the program.
+    [[nodiscard]] std::vector<std::filesystem::path> installed_share() const;
+};
+
+}  // namespace corpuscle

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "gas/fill.hpp"
+#include "input/case/case_description.hpp"
+#include "structure/structure.hpp"
+
+namespace corpuscle {
+
+/// The law of preset values; `density` is the reference where the values give none.
+[[nodiscard]] EquationOfState make_law(const LawValues& values, double density);
+
+/// A gas ready to be filled: settings, species with their particle masses, charges, ambient gas; and what will fill it.
+struct GasPlan {
+    Gas gas;
+    std::vector<Fill> fills;
+    std::vector<double> masses;       ///< of each fill within the domain [kg]
+    std::vector<std::size_t> counts;  ///< particles of each fill
+    std::vector<Shape> charge_shapes;
+
+    [[nodiscard]] std::size_t particles() const;
+};
+
+/// Works out everything but the particles themselves. Errors: InputError at the place of what is wrong: no charge and no fill, a
+/// charge outside the box or cut by an edge that is no plane of symmetry, states that cannot be, too few particles.
+[[nodiscard]] GasPlan plan_gas(const CaseDescription& description, std::vector<std::string>& warnings);
+
+/// Refuses a charge that the structure cuts, at the charge's place.
+void check_charges_apart(const GasPlan& plan, const Structure& structure, const CaseDescription& description);
+
+/// Fills the gas as planned.
+[[nodiscard]] Gas fill_gas(GasPlan plan);
+
+}  // namespace corpuscle

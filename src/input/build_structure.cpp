@@ -1,0 +1,139 @@
+#include "input/build_structure.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "input/placed.hpp"
+#include "input/shapes.hpp"
+#include "mesh/boundary.hpp"
+#include "mesh/generators.hpp"
+#include "mesh/quality.hpp"
+#include "mesh/selection.hpp"
+#include "mesh/transform.hpp"
+#include "schema/nearest.hpp"
+#include "structure/builder.hpp"
+
+namespace corpuscle {
+
+namespace {
+
+/// Rim divisions of the disk that a ring surrounds, 0 if there is none.
+int flush_divisions(const PartInput& ring, const CaseDescription& description)
+{
+    for (const PartInput& part : description.parts) {
+        if (!part.mesh.disk) continue;
+        const DiskInput& disk = *part.mesh.disk;
+        const bool same_radius = std::abs(disk.radius - ring.mesh.ring->inner_radius) <= 1e-9 * disk.radius;
+        if (same_radius && disk.quarter == ring.mesh.ring->quarter && part.mesh.move == ring.mesh.move) return rim_divisions(disk.radius, disk.element_size, disk.quarter);
+    }
+    return 0;
+}
+
+/// The elements of one set of a mesh, and their nodes.
+Mesh only_group(const Mesh& mesh, const std::string& group, const Place& place)
+{
+    const auto found = mesh.element_sets.find(group);
+    if (found == mesh.element_sets.end()) {
+        std::vector<std::string> names;
+        for (const auto& [name, elements] : mesh.element_sets) names.push_back(name);
+        throw InputError(fmt::format("the mesh has no group '{}'", group), names.empty() ? "the mesh has no groups of elements" : suggestion(group, names), place);
+    }
+    Mesh part = mesh;
+    part.elements.clear();
+    part.element_sets.clear();
+    for (const std::uint32_t element : found->second) part.elements.push_back(mesh.elements[element]);
+    remove_unused_nodes(part);
+    return part;
+}
+
+Mesh generated_mesh(const PartInput& part, const CaseDescription& description)
+{
+    const MeshInput& mesh = part.mesh;
+    if (mesh.disk) return disk_mesh(mesh.disk->radius, mesh.disk->element_size, mesh.disk->quarter);
+    if (mesh.ring) return ring_mesh(mesh.ring->inner_radius, mesh.ring->outer_radius, mesh.ring->element_size, mesh.ring->quarter, flush_divisions(part, description));
+    if (mesh.rectangle) return rectangle_mesh(mesh.rectangle->origin, mesh.rectangle->edge_1, mesh.rectangle->edge_2, mesh.rectangle->element_size);
+    return box_mesh(box_of(mesh.box->box), mesh.box->element_size);
+}
+
+/// What a support holds, as masks on its nodes.
+Hold make_hold(const Mesh& mesh, const FixInput& fix)
+{
+    std::vector<std::uint32_t> nodes = at_place(fix.places.of("where"), [&] { return select_nodes(mesh, fix.where); });
+    Hold hold;
+    switch (fix.dof) {
+        case Held::all: return clamp(std::move(nodes));
+        case Held::translation: return pin(std::move(nodes));
+        case Held::rotation: hold.rotation = {true, true, true}; break;
+        case Held::x: hold.translation.x = true; break;
+        case Held::y: hold.translation.y = true; break;
+        case Held::z: hold.translation.z = true; break;
+        case Held::symmetry: {
+            const auto plane = parse_plane(fix.where);
+            if (!plane) throw InputError(fmt::format("dof = \"symmetry\" needs a plane, '{}' is none", fix.where), "expected where = \"x=0\" or another plane across an axis", fix.places.of("where"));
+            return symmetry(std::move(nodes), plane->axis);
+        }
+    }
+    hold.nodes = std::move(nodes);
+    return hold;
+}
+
+PartDescription describe(const PartInput& part, const CaseDescription& description, std::vector<std::string>& warnings)
+{
+    PartDescription built;
+    built.name = part.name;
+    built.place = part.places.own;
+    built.mesh = make_mesh(part, description);
+    at_place(part.places.of("mesh"), [&] {
+        for (const std::string& warning : validate(built.mesh, part.name)) warnings.push_back(warning);
+        if (part.mesh.closed) require_closed(built.mesh, part.name);
+    });
+    built.element = part.element.shell ? ElementKind::shell : ElementKind::rigid;
+    if (part.element.shell) {
+        if (!part.material) throw InputError(fmt::format("part '{}' has no material, so it has no mass", part.name), "expected material = \"rha_steel\" or another (`corpuscle list materials`)", part.places.own);
+        built.material = make_material(*part.material->values);
+        built.thickness = part.element.shell->thickness;
+        built.points = part.element.shell->points;
+    } else if (part.material) {
+        warnings.push_back(fmt::format("part '{}' is rigid: its material has no effect", part.name));
+    }
+    for (const FixInput& fix : part.fix) built.holds.push_back(make_hold(built.mesh, fix));
+    built.velocity = part.velocity;
+    return built;
+}
+
+}  // namespace
+
+Material make_material(const MaterialValues& values)
+{
+    Material material{values.name, values.density, values.young_modulus, values.poisson_ratio, Elastic{}};
+    if (values.strength.bilinear) {
+        const BilinearValues& b = *values.strength.bilinear;
+        if (b.rate_c > 0 && !(b.rate_p >= 1))
+            throw InputError(fmt::format("material '{}' has rate_c but rate_p = {}", values.name, b.rate_p), "expected rate_p >= 1 beside rate_c", values.places.own);
+        material.strength = BilinearPlastic{b.yield_stress, b.hardening_modulus, b.rate_c, std::max(1.0, b.rate_p), b.kinematic};
+    }
+    return material;
+}
+
+Mesh make_mesh(const PartInput& part, const CaseDescription& description)
+{
+    const Place& place = part.places.of("mesh");
+    Mesh mesh = part.mesh.file ? mesh_from_file(*part.mesh.file, part.mesh.unit, description, place) : at_place(place, [&] { return generated_mesh(part, description); });
+    if (!part.mesh.group.empty()) mesh = only_group(mesh, part.mesh.group, part.mesh.places.of("group"));
+    translate(mesh, part.mesh.move);
+    return mesh;
+}
+
+Structure build_structure(const CaseDescription& description, std::vector<std::string>& warnings)
+{
+    Structure structure;
+    for (const PartInput& part : description.parts) {
+        const PartDescription described = describe(part, description, warnings);
+        at_place(part.places.own, [&] { add_part(structure, described); });
+    }
+    return structure;
+}
+
+}  // namespace corpuscle

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "input/build_gas.hpp"
+#include "input/build_structure.hpp"
+#include "input/case/case_description.hpp"
+
+namespace corpuscle {
+
+/// A case worked out but for its particles: every check of meaning is behind it. What `check` shows, what `build` builds on.
+struct Survey {
+    Structure structure;
+    std::optional<GasPlan> gas;
+    std::size_t memory = 0;  ///< bytes a run will need
+    std::vector<std::string> warnings;
+};
+
+/// Checks a case whose presets are resolved, and works it out. Errors: InputError or InputProblems.
+[[nodiscard]] Survey survey(const CaseDescription& description);
+
+/// Steps a run will take, about: the least stable step of the structure and the gas, the gas's growing as the cloud does.
+[[nodiscard]] double expected_steps(const Survey& survey, double end_time);
+
+}  // namespace corpuscle
