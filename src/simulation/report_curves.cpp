@@ -1,0 +1,98 @@
+#include "simulation/report_curves.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <tuple>
+
+#include "simulation/report_text.hpp"
+#include "simulation/summary_history.hpp"
+
+namespace corpuscle {
+
+namespace {
+
+constexpr double negligible = 1e-3;
+constexpr std::array<std::string_view, 5> order{"displacement", "energy", "pressure", "impulse", "velocity"};
+
+/// Columns that share a chart.
+struct Group {
+    std::string quantity;
+    std::string unit;
+    std::vector<std::size_t> columns;
+};
+
+std::string group_quantity(const HistoryColumn& column)
+{
+    const ColumnName name = column_name(column.name);
+    return name.owner == "energy" ? "energy" : name.quantity;
+}
+
+std::size_t rank(const Group& group)
+{
+    return static_cast<std::size_t>(std::find(order.begin(), order.end(), group.quantity) - order.begin());
+}
+
+std::vector<Group> groups_of(const HistoryTable& history)
+{
+    std::vector<Group> groups;
+    for (std::size_t i = 0; i < history.columns.size(); ++i) {
+        const std::string quantity = group_quantity(history.columns[i]);
+        const std::string& unit = history.columns[i].unit;
+        auto found = std::find_if(groups.begin(), groups.end(), [&](const Group& group) { return group.quantity == quantity && group.unit == unit; });
+        if (found == groups.end()) found = groups.insert(groups.end(), Group{quantity, unit, {}});
+        found->columns.push_back(i);
+    }
+    std::sort(groups.begin(), groups.end(), [](const Group& a, const Group& b) {
+        return std::tuple(rank(a), a.quantity, a.unit) < std::tuple(rank(b), b.quantity, b.unit);
+    });
+    return groups;
+}
+
+double greatest(const std::vector<double>& values)
+{
+    double result = 0;
+    for (const double value : values) {
+        if (std::isfinite(value)) result = std::max(result, std::abs(value));
+    }
+    return result;
+}
+
+/// "center z", "gas" (of the energies), "wall".
+std::string curve_label(const std::string& column)
+{
+    const ColumnName name = column_name(column);
+    if (name.owner == "energy") return spaced(name.quantity + (name.component.empty() ? "" : "_" + name.component));
+    const std::string owner = name.owner.empty() ? spaced(name.quantity) : name.owner;
+    return name.component.empty() ? owner : owner + " " + name.component;
+}
+
+Chart chart_of(const Group& group, const HistoryTable& history, const std::vector<ReferenceValue>& references)
+{
+    Chart chart{capitalized(spaced(group.quantity)), "time", "s", spaced(group.quantity), group.unit, {}, {}};
+    double size = 0;
+    for (const std::size_t i : group.columns) size = std::max(size, greatest(history.values[i]));
+    for (const std::size_t i : group.columns) {
+        const std::string& column = history.columns[i].name;
+        const bool component = !column_name(column).component.empty();
+        for (const ReferenceValue& reference : references) {
+            if (reference.column == column) chart.references.push_back({reference.value, reference.label});
+        }
+        if (component && size > 0 && greatest(history.values[i]) < negligible * size) continue;
+        chart.curves.push_back({curve_label(column), history.times, history.values[i]});
+    }
+    return chart;
+}
+
+}  // namespace
+
+std::vector<Chart> history_charts(const HistoryTable& history, const std::vector<ReferenceValue>& references)
+{
+    std::vector<Chart> charts;
+    for (const Group& group : groups_of(history)) charts.push_back(chart_of(group, history, references));
+    return charts;
+}
+
+}  // namespace corpuscle

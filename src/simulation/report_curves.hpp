@@ -1,0 +1,16 @@
+#pragma once
+
+#include <vector>
+
+#include "output/history/history_table.hpp"
+#include "simulation/report_chart.hpp"
+#include "simulation/summary.hpp"
+
+namespace corpuscle {
+
+/// The charts of a run's history: columns of one quantity and unit share a chart (each probe and component a curve), those of the owner
+/// "energy" another. Components that stay below a thousandth of the chart's greatest value are left out. Displacement comes first, then energy,
+/// pressure, impulse, velocity, then the others by name. The case's reference values become dashed lines.
+[[nodiscard]] std::vector<Chart> history_charts(const HistoryTable& history, const std::vector<ReferenceValue>& references);
+
+}  // namespace corpuscle

@@ -1,0 +1,84 @@
+#include "simulation/summary_history.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace corpuscle {
+
+namespace {
+
+constexpr double arrival_share = 0.05;
+
+/// Extremes of the samples that are there; nothing if there are none.
+std::optional<ProbeSummary> extremes(const std::vector<double>& times, const std::vector<double>& values)
+{
+    std::optional<ProbeSummary> result;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const double value = values[i];
+        if (std::isnan(value)) continue;
+        if (!result) result = ProbeSummary{value, value, value, times[i]};
+        result->minimum = std::min(result->minimum, value);
+        if (value > result->maximum) {
+            result->maximum = value;
+            result->time_of_maximum = times[i];
+        }
+        result->final = value;
+    }
+    return result;
+}
+
+/// When a pressure first rises by a share of its greatest rise.
+double arrival(const std::vector<double>& times, const std::vector<double>& pressures, double peak)
+{
+    const auto first = std::find_if(pressures.begin(), pressures.end(), [](double pressure) { return !std::isnan(pressure); });
+    if (first == pressures.end() || !(peak > *first)) return std::numeric_limits<double>::quiet_NaN();
+    const double threshold = *first + arrival_share * (peak - *first);
+    const auto come = std::find_if(pressures.begin(), pressures.end(), [threshold](double pressure) { return pressure >= threshold; });
+    return times[static_cast<std::size_t>(come - pressures.begin())];
+}
+
+}  // namespace
+
+ColumnName column_name(const std::string& name)
+{
+    ColumnName result;
+    const std::size_t dot = name.rfind('.');
+    if (dot != std::string::npos) result.owner = name.substr(0, dot);
+    result.quantity = dot == std::string::npos ? name : name.substr(dot + 1);
+    const std::string& quantity = result.quantity;
+    if (quantity.size() > 2 && quantity[quantity.size() - 2] == '_' && quantity.back() >= 'x' && quantity.back() <= 'z') {
+        result.component = quantity.substr(quantity.size() - 1);
+        result.quantity.resize(quantity.size() - 2);
+    }
+    return result;
+}
+
+void add_probes(RunSummary& summary, const HistoryTable& history, const std::vector<std::string>& probes)
+{
+    for (std::size_t i = 0; i < history.columns.size(); ++i) {
+        const HistoryColumn& column = history.columns[i];
+        const std::string owner = column_name(column.name).owner;
+        if (std::find(probes.begin(), probes.end(), owner) == probes.end()) continue;
+        const std::string quantity = column.name.substr(owner.empty() ? 0 : owner.size() + 1);
+        if (const auto result = extremes(history.times, history.values[i])) summary.probes[owner][summary_key(quantity, column.unit)] = *result;
+    }
+}
+
+void add_gauges(RunSummary& summary, const HistoryTable& history, const std::vector<std::string>& gauges)
+{
+    for (const std::string& name : gauges) {
+        const std::vector<double>* pressure = history.find(name + ".pressure");
+        const std::vector<double>* impulse = history.find(name + ".impulse");
+        if (pressure == nullptr) continue;
+        const std::optional<ProbeSummary> seen = extremes(history.times, *pressure);
+        if (!seen) continue;
+        const double peak = seen->maximum;
+        double greatest_impulse = 0;
+        if (impulse != nullptr) greatest_impulse = extremes(history.times, *impulse).value_or(ProbeSummary{}).maximum;
+        summary.gauges[name] = {peak, greatest_impulse, arrival(history.times, *pressure, peak)};
+    }
+}
+
+}  // namespace corpuscle

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "output/history/history_table.hpp"
+#include "simulation/summary.hpp"
+
+namespace corpuscle {
+
+/// A history column's name taken apart: "center.displacement_z" -> {"center", "displacement", "z"}.
+struct ColumnName {
+    std::string owner;      ///< before the last dot, empty if there is none
+    std::string quantity;   ///< without the component
+    std::string component;  ///< "x", "y", "z" or empty
+};
+
+[[nodiscard]] ColumnName column_name(const std::string& name);
+
+/// Extremes of every column that belongs to one of `probes`, read from the whole history (so a resumed run counts all of it).
+void add_probes(RunSummary& summary, const HistoryTable& history, const std::vector<std::string>& probes);
+
+/// Peak, impulse and arrival of each of `gauges`, from its columns "pressure" [Pa] and "impulse" [Pa s]. Arrival is the first sample whose
+/// pressure has risen by 5 % of the greatest rise over the first sample.
+void add_gauges(RunSummary& summary, const HistoryTable& history, const std::vector<std::string>& gauges);
+
+}  // namespace corpuscle
