@@ -49,14 +49,14 @@ void for_each_part(std::size_t count, std::size_t parts, const Body& body)
 /// How many pieces are worth making of `count` items.
 [[nodiscard]] std::size_t part_count(std::size_t count, std::size_t smallest = 1024);
 
-/// Reduction in a fixed order: `term(begin, end)` reduces one chunk of at most `chunk_size` items to a T, and the chunks'
-/// results are added (+=) in order. The same bits for any number of threads.
+/// Reduction in a fixed order: `term(begin, end)` reduces one chunk of at most `size` items to a T, and the chunks' results are
+/// added (+=) in order. The same bits for any number of threads.
 template <class T, class Term>
-T sum_chunks(std::size_t count, const Term& term)
+T sum_chunks(std::size_t count, const Term& term, std::size_t size = chunk_size)
 {
-    const std::size_t chunks = (count + chunk_size - 1) / chunk_size;
+    const std::size_t chunks = (count + size - 1) / size;
     std::vector<T> partial(chunks);
-    for_each_dynamic(chunks, 1, [&](std::size_t c) { partial[c] = term(c * chunk_size, std::min(count, (c + 1) * chunk_size)); });
+    for_each_dynamic(chunks, 1, [&](std::size_t c) { partial[c] = term(c * size, std::min(count, (c + 1) * size)); });
     T total{};
     for (const T& p : partial) total += p;
     return total;

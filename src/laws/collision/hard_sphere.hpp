@@ -14,12 +14,4 @@ Real candidate_pairs(Real particles, Real fastest_pair, Real duration, Real mean
     return (particles - 1) * fastest_pair * duration / (Real(2.8284271247) * mean_free_path);
 }
 
-/// Displacement length of a collision whose sum over a step's collisions gives the virial pressure (consistent universal
-/// Boltzmann algorithm; Alexander, Garcia and Alder, PRL 74 (1995) 5212): p_v = sum(mu |g' - g|) l/(6 V dt). [m]
-template <class Real>
-Real displacement_length(Real virial_pressure, Real volume, Real duration, Real velocity_change_sum)
-{
-    return 6 * virial_pressure * volume * duration / velocity_change_sum;
-}
-
 }  // namespace corpuscle

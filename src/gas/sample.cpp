@@ -1,0 +1,196 @@
+#include "gas/sample.hpp"
+
+#include "parallel/sort.hpp"
+
+namespace corpuscle {
+
+namespace {
+
+/// Sums over particles of one region, from which its averages follow.
+struct Moments {
+    std::vector<double> count;       ///< by species
+    std::vector<double> squared;     ///< sum of velocity squared by species [m2/s2]
+    std::vector<Vector3d> velocity;  ///< sum by species [m/s]
+    double internal = 0;             ///< [J]
+
+    explicit Moments(std::size_t species = 0) : count(species), squared(species), velocity(species) {}
+
+    void add(const Particle& particle)
+    {
+        const std::uint32_t s = particle_tag::species(particle.tag);
+        const Vector3d v(particle.velocity);
+        count[s] += 1;
+        squared[s] += norm_squared(v);
+        velocity[s] += v;
+        internal += static_cast<double>(particle.energy);
+    }
+    Moments& operator+=(const Moments& other)
+    {
+        if (count.empty()) *this = Moments(other.count.size());
+        for (std::size_t s = 0; s < other.count.size(); ++s) {
+            count[s] += other.count[s];
+            squared[s] += other.squared[s];
+            velocity[s] += other.velocity[s];
+        }
+        internal += other.internal;
+        return *this;
+    }
+};
+
+bool is_gas(const Particle& particle)
+{
+    return !(particle.tag & (particle_tag::unburnt | particle_tag::gone));
+}
+
+/// Averages of a region of known volume.
+GasSample evaluate(const Gas& gas, const Moments& moments, double volume)
+{
+    GasSample result;
+    double mass = 0, number = 0;
+    Vector3d momentum;
+    for (std::size_t s = 0; s < moments.count.size(); ++s) {
+        const double m = gas.species[s].particle_mass;
+        number += moments.count[s];
+        mass += m * moments.count[s];
+        momentum += m * moments.velocity[s];
+    }
+    result.particles = static_cast<std::size_t>(number);
+    if (number == 0) return result;
+    result.density = mass / volume;
+    result.velocity = momentum / mass;
+    double thermal = 0;
+    for (std::size_t s = 0; s < moments.count.size(); ++s) {
+        if (moments.count[s] == 0) continue;
+        const double m = gas.species[s].particle_mass;
+        const double own = 0.5 * m *
+                           (moments.squared[s] - 2 * dot(result.velocity, moments.velocity[s]) + moments.count[s] * norm_squared(result.velocity));
+        thermal += own;
+        const double kinetic = 2.0 / 3.0 * own / volume;
+        result.pressure += kinetic + virial_pressure(gas.species[s].law, m * moments.count[s] / volume, kinetic);
+        result.kinetic_pressure += kinetic;
+    }
+    result.energy = (thermal + moments.internal) / mass;
+    return result;
+}
+
+}  // namespace
+
+GasSample sample(const Gas& gas, const Shape& shape, double volume)
+{
+    const Box bounds = shape.bounds();
+    const Moments moments = sum_chunks<Moments>(gas.particles.size(), [&](std::size_t begin, std::size_t end) {
+        Moments part(gas.species.size());
+        for (std::size_t i = begin; i < end; ++i) {
+            const Particle& particle = gas.particles[i];
+            const Vector3d place(particle.position);
+            if (is_gas(particle) && bounds.contains(place) && shape.contains(place)) part.add(particle);
+        }
+        return part;
+    });
+    return evaluate(gas, moments, volume);
+}
+
+GasGrid average(const Gas& gas, double cell_size)
+{
+    GasGrid grid;
+    grid.box = gas.domain.box;
+    const Vector3d size = grid.box.size();
+    for (int a = 0; a < 3; ++a) grid.cells[a] = std::max<std::size_t>(1, static_cast<std::size_t>(std::llround(size[a] / cell_size)));
+    const std::size_t cells = grid.size();
+    const auto cell_of = [&](std::size_t i) -> std::size_t {
+        const Particle& particle = gas.particles[i];
+        if (!is_gas(particle)) return cells;
+        std::array<std::size_t, 3> index{};
+        for (int a = 0; a < 3; ++a) {
+            const double q = (static_cast<double>(particle.position[a]) - grid.box.lower[a]) / size[a] * static_cast<double>(grid.cells[a]);
+            index[a] = std::min(grid.cells[a] - 1, static_cast<std::size_t>(std::max(0.0, q)));
+        }
+        return (index[2] * grid.cells[1] + index[1]) * grid.cells[0] + index[0];
+    };
+    std::vector<std::uint32_t> order(gas.particles.size());
+    const std::vector<std::uint32_t> start = stable_counting_sort(
+        gas.particles.size(), cells + 1, cell_of, [&](std::size_t i, std::uint32_t position) { order[position] = static_cast<std::uint32_t>(i); });
+
+    grid.density.resize(cells);
+    grid.velocity.resize(cells);
+    grid.pressure.resize(cells);
+    grid.product_share.resize(cells);
+    const double volume = grid.box.volume() / static_cast<double>(cells);
+    for_each(cells, [&](std::size_t c) {
+        Moments moments(gas.species.size());
+        for (std::uint32_t k = start[c]; k < start[c + 1]; ++k) moments.add(gas.particles[order[k]]);
+        const GasSample average = evaluate(gas, moments, volume);
+        double products = 0;
+        for (const Charge& charge : gas.charges) products = std::max(products, moments.count[charge.species] * gas.species[charge.species].particle_mass);
+        grid.density[c] = static_cast<float>(average.density);
+        grid.velocity[c] = Vector3f(average.velocity);
+        grid.pressure[c] = static_cast<float>(average.pressure);
+        grid.product_share[c] = average.density > 0 ? static_cast<float>(products / (average.density * volume)) : 0.0f;
+    });
+    return grid;
+}
+
+FieldSet fields(const GasGrid& grid)
+{
+    const std::size_t cells = grid.size();
+    FieldSet set{"gas averages", {}};
+    set.fields.push_back(derived_field<float>("density", "kg/m3", "mass of gas per volume", cells, [&grid](std::size_t i) { return grid.density[i]; }));
+    set.fields.push_back(derived_field<Vector3f>("velocity", "m/s", "velocity of the mass", cells, [&grid](std::size_t i) { return grid.velocity[i]; }));
+    set.fields.push_back(derived_field<float>("pressure", "Pa", "kinetic and virial pressure", cells, [&grid](std::size_t i) { return grid.pressure[i]; }));
+    set.fields.push_back(derived_field<float>("product_share", "1", "mass share of detonation products", cells, [&grid](std::size_t i) { return grid.product_share[i]; }));
+    return set;
+}
+
+FieldSet particle_fields(const Gas& gas)
+{
+    const std::vector<Particle>& particles = gas.particles;
+    const std::size_t count = particles.size();
+    FieldSet set{"gas", {}};
+    set.fields.push_back(derived_field<Vector3f>("velocity", "m/s", "velocity", count, [&particles](std::size_t i) {
+        return particles[i].tag & particle_tag::unburnt ? Vector3f{} : particles[i].velocity;
+    }));
+    set.fields.push_back(derived_field<float>("speed", "m/s", "magnitude of the velocity", count, [&particles](std::size_t i) {
+        return particles[i].tag & particle_tag::unburnt ? 0.0f : norm(particles[i].velocity);
+    }));
+    set.fields.push_back(derived_field<float>("internal_energy", "J/kg", "spin energy per mass", count, [&gas](std::size_t i) {
+        const Particle& particle = gas.particles[i];
+        return static_cast<float>(static_cast<double>(particle.energy) / gas.species[particle_tag::species(particle.tag)].particle_mass);
+    }));
+    set.fields.push_back(derived_field<std::uint8_t>("species", "1", "number of the species", count, [&particles](std::size_t i) {
+        return static_cast<std::uint8_t>(particle_tag::species(particles[i].tag));
+    }));
+    set.fields.push_back(derived_field<std::uint8_t>("burnt", "1", "0 for explosive that waits for its detonation", count, [&particles](std::size_t i) {
+        return static_cast<std::uint8_t>(particles[i].tag & particle_tag::unburnt ? 0 : 1);
+    }));
+    return set;
+}
+
+namespace {
+
+/// A field of the particles' own records; the first restored one sizes them.
+template <class T, class Get, class Set>
+Field particle_field(Gas& gas, std::string name, std::string unit, Get get, Set put)
+{
+    Field field = derived_field<T>(std::move(name), std::move(unit), "particle state", gas.particles.size(), [&gas, get](std::size_t i) { return get(gas.particles[i]); });
+    field.restore = [&gas, put](const void* values, std::size_t count) {
+        gas.particles.resize(count);
+        const T* first = static_cast<const T*>(values);
+        for (std::size_t i = 0; i < count; ++i) put(gas.particles[i], first[i]);
+    };
+    return field;
+}
+
+}  // namespace
+
+FieldSet state(Gas& gas)
+{
+    FieldSet set{"gas", {}};
+    const auto add = [&](Field field) { set.fields.push_back(std::move(field)); };
+    add(particle_field<Vector3f>(gas, "position", "m", [](const Particle& p) { return p.position; }, [](Particle& p, const Vector3f& v) { p.position = v; }));
+    add(particle_field<Vector3f>(gas, "velocity", "m/s", [](const Particle& p) { return p.velocity; }, [](Particle& p, const Vector3f& v) { p.velocity = v; }));
+    add(particle_field<float>(gas, "energy", "J", [](const Particle& p) { return p.energy; }, [](Particle& p, float v) { p.energy = v; }));
+    add(particle_field<std::uint32_t>(gas, "tag", "1", [](const Particle& p) { return p.tag; }, [](Particle& p, std::uint32_t v) { p.tag = v; }));
+    return set;
+}
+
+}  // namespace corpuscle
