@@ -81,8 +81,9 @@ private:
                 const auto wanted = static_cast<signed char>(next.opposed ? 1 - turned_[element] : turned_[element]);
                 if (turned_[next.element] == unseen) front.push_back(next.element), turned_[next.element] = wanted;
                 if (turned_[next.element] != wanted)
-                    throw InputError(fmt::format("mesh '{}': the surface has one side only ({})", name_, element_place(mesh_, next.element)),
-                                     "repair the surface: inside and outside cannot be told apart");
+                    throw InputError(
+                        fmt::format("mesh '{}': the surface has one side only ({})", name_, element_place(mesh_, next.element)),
+                        "repair the surface: inside and outside cannot be told apart");
             }
         }
         ++components_;
@@ -119,7 +120,8 @@ bool is_hollow(const Mesh& mesh, const std::vector<Shell>& shells, std::size_t i
     const Vector3d point = mesh.nodes[shells[index].triangles.front()[0]];
     int enclosing = 0;
     for (std::size_t other = 0; other < shells.size(); ++other)
-        if (other != index && shells[other].box.contains(point) && std::abs(winding_number(mesh.nodes, shells[other].triangles, point)) > 0.5)
+        if (other != index && shells[other].box.contains(point) &&
+            std::abs(winding_number(mesh.nodes, shells[other].triangles, point)) > 0.5)
             ++enclosing;
     return enclosing % 2 == 1;
 }
@@ -151,8 +153,10 @@ std::vector<std::vector<std::uint32_t>> boundary_loops(const Mesh& mesh)
     const auto edges = surface_edges(mesh);
     for_each_edge(edges, [&](auto first, auto last) {
         if (last - first != 1) return;
-        if (first->forward) next.emplace(first->low, first->high);
-        else next.emplace(first->high, first->low);
+        if (first->forward)
+            next.emplace(first->low, first->high);
+        else
+            next.emplace(first->high, first->low);
     });
     std::vector<std::vector<std::uint32_t>> loops;
     while (!next.empty()) {
@@ -177,13 +181,14 @@ void require_closed(const Mesh& mesh, const std::string& name)
     const auto edges = surface_edges(mesh);
     for_each_edge(edges, [&](auto first, auto last) {
         if (last - first <= 2) return;
-        throw InputError(fmt::format("mesh '{}': {} elements share the edge near {}", name, last - first, point_text(mesh.nodes[first->low])),
-                         "a closed surface has two elements at every edge: remove inner walls and duplicates");
+        throw InputError(
+            fmt::format("mesh '{}': {} elements share the edge near {}", name, last - first, point_text(mesh.nodes[first->low])),
+            "a closed surface has two elements at every edge: remove inner walls and duplicates");
     });
     const auto loops = boundary_loops(mesh);
     if (loops.empty()) return;
-    throw InputError(fmt::format("mesh '{}' has {} {}; one with {} edges passes {}", name, loops.size(), loops.size() == 1 ? "hole" : "holes",
-                                 loops.front().size(), point_text(mesh.nodes[loops.front().front()])),
+    throw InputError(fmt::format("mesh '{}' has {} {}; one with {} edges passes {}", name, loops.size(),
+                                 loops.size() == 1 ? "hole" : "holes", loops.front().size(), point_text(mesh.nodes[loops.front().front()])),
                      "close the surface, or merge its coincident nodes");
 }
 

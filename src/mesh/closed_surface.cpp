@@ -32,7 +32,8 @@ EdgeSide side_of(std::span<const Vector3d> nodes, std::uint32_t a, std::uint32_t
     return {swapped ? -value : value, (shifted > 0.0) != swapped};
 }
 
-/// The x at which the line along x through `point` crosses the triangle, and +1 where it leaves the body, -1 where it enters, 0 if it misses.
+/// The x at which the line along x through `point` crosses the triangle, and +1 where it leaves the body, -1 where it enters, 0 if it
+/// misses.
 struct Crossing {
     int sign = 0;
     double x = 0;
@@ -45,6 +46,12 @@ Crossing cross_triangle(std::span<const Vector3d> nodes, const Triangle& t, cons
     const double sum = a.value + b.value + c.value;
     if (sum == 0.0) return {};
     return {a.left ? 1 : -1, (a.value * nodes[t[0]].x + b.value * nodes[t[1]].x + c.value * nodes[t[2]].x) / sum};
+}
+
+Mesh oriented(Mesh mesh, const std::string& name)
+{
+    orient_closed(mesh, name);
+    return mesh;
 }
 
 /// A convex polygon in space of up to 3 + 4 + 2 corners.
@@ -112,17 +119,18 @@ double clipped_column_volume(const std::array<Vector3d, 3>& triangle, const Box&
 
 }  // namespace
 
-ClosedSurface::ClosedSurface(Mesh mesh, const std::string& name)
+ClosedSurface::ClosedSurface(Mesh mesh, const std::string& name) : ClosedSurface(oriented(std::move(mesh), name))
 {
-    orient_closed(mesh, name);
-    triangles_ = triangles_of(mesh);
-    nodes_ = std::move(mesh.nodes);
     for (const Triangle& triangle : triangles_)
         for (const std::uint32_t node : triangle) bounds_.include(nodes_[node]);
-    volume_ = signed_volume(nodes_, triangles_);
     if (!(volume_ > 1e-12 * std::pow(norm(bounds_.size()), 3)))
         throw InputError(fmt::format("mesh '{}' encloses no volume", name), "give the surface of a body, not of a sheet");
     make_columns();
+}
+
+ClosedSurface::ClosedSurface(const Mesh& mesh)
+    : nodes_(mesh.nodes), triangles_(triangles_of(mesh)), volume_(signed_volume(nodes_, triangles_))
+{
 }
 
 /// Which of `rows` slices of the bounds along an axis a value lies in.

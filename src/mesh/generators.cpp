@@ -54,8 +54,7 @@ Vector3d circle_point(double radius, int index, int per_quarter)
 /// of the rim's edge for all but the coarsest disks.
 class QuarterDisk {
 public:
-    QuarterDisk(double radius, int core)
-        : radius_(radius), core_(core), layers_(std::max(1, static_cast<int>(std::lround(0.4 * core))))
+    QuarterDisk(double radius, int core) : radius_(radius), core_(core), layers_(std::max(1, static_cast<int>(std::lround(0.4 * core))))
     {
         const double thickness = static_cast<double>(layers_) / core_;
         side_ = (0.707 - 0.167 * thickness) * radius;

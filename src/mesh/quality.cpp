@@ -122,20 +122,23 @@ double warp(const Corner& at, const Corners& face)
 /// Refuses positions, indices and sets that point nowhere.
 void require_sound(const Mesh& mesh, const std::string& name)
 {
-    if (mesh.elements.empty()) throw InputError(fmt::format("mesh '{}' has no elements", name), "export the elements of the part, not only its geometry");
+    if (mesh.elements.empty())
+        throw InputError(fmt::format("mesh '{}' has no elements", name), "export the elements of the part, not only its geometry");
     for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
         if (!std::isfinite(norm_squared(mesh.nodes[i])))
             throw InputError(fmt::format("mesh '{}': the position of node {} is not a finite number", name, i + 1), "write the mesh anew");
     for (std::size_t e = 0; e < mesh.elements.size(); ++e)
         for (int i = 0; i < node_count(mesh.elements[e].shape); ++i)
             if (mesh.elements[e].node[i] >= mesh.nodes.size())
-                throw InputError(fmt::format("mesh '{}': element {} uses node {} of {}", name, e + 1, mesh.elements[e].node[i] + 1ull, mesh.nodes.size()),
+                throw InputError(fmt::format("mesh '{}': element {} uses node {} of {}", name, e + 1, mesh.elements[e].node[i] + 1ull,
+                                             mesh.nodes.size()),
                                  "write the mesh anew");
     const auto require_range = [&](const auto& sets, std::size_t count, const char* kind) {
         for (const auto& [set, members] : sets)
             for (const std::uint32_t member : members)
                 if (member >= count)
-                    throw InputError(fmt::format("mesh '{}': set '{}' holds {} {} of {}", name, set, kind, member + 1ull, count), "write the mesh anew");
+                    throw InputError(fmt::format("mesh '{}': set '{}' holds {} {} of {}", name, set, kind, member + 1ull, count),
+                                     "write the mesh anew");
     };
     require_range(mesh.node_sets, mesh.nodes.size(), "node");
     require_range(mesh.element_sets, mesh.elements.size(), "element");
@@ -183,7 +186,8 @@ void require_shapely(const Mesh& mesh, const std::string& name)
         if (jacobian >= -flat)
             refuse(mesh, name, e, solid ? "has a corner without volume" : "has a corner without area", "move its nodes apart or remove it");
         refuse(mesh, name, e, fmt::format("is tangled or concave (scaled Jacobian {:.2g})", jacobian),
-               solid ? "order its nodes as gmsh does: the first face seen from inside runs clockwise" : "order its nodes around the element and keep it convex");
+               solid ? "order its nodes as gmsh does: the first face seen from inside runs clockwise"
+                     : "order its nodes around the element and keep it convex");
     }
 }
 
@@ -205,7 +209,8 @@ std::vector<std::string> warnings_of(const Mesh& mesh, const std::string& name)
         warnings.push_back(fmt::format("mesh '{}': {} is badly shaped (scaled Jacobian {:.3f}, better above {})", name,
                                        element_place(mesh, quality.worst_element), quality.min_scaled_jacobian, poor));
     if (quality.worst_warp > warped)
-        warnings.push_back(fmt::format("mesh '{}': a face is warped by {:.0f} degrees", name, quality.worst_warp * 180.0 / std::numbers::pi));
+        warnings.push_back(
+            fmt::format("mesh '{}': a face is warped by {:.0f} degrees", name, quality.worst_warp * 180.0 / std::numbers::pi));
     return warnings;
 }
 

@@ -102,14 +102,16 @@ struct Estimate {
 /// 15-point Kronrod and 7-point Gauss sums (Piessens et al., QUADPACK 1983).
 Estimate gauss_kronrod(const Slicer& slicer, double from, double to)
 {
-    static constexpr std::array<double, 8> node{0.991455371120812639206854697526329, 0.949107912342758524526189684047851, 0.864864423359769072789712788640926,
-                                                0.741531185599394439863864773280788, 0.586087235467691130294144691693240, 0.405845151377397166906606412076961,
+    static constexpr std::array<double, 8> node{0.991455371120812639206854697526329, 0.949107912342758524526189684047851,
+                                                0.864864423359769072789712788640926, 0.741531185599394439863864773280788,
+                                                0.586087235467691130294144691693240, 0.405845151377397166906606412076961,
                                                 0.207784955007898467600689403773245, 0.0};
-    static constexpr std::array<double, 8> kronrod{0.022935322010529224963732008058970, 0.063092092629978553290700663189204, 0.104790010322250183839876322541518,
-                                                   0.140653259715525918745189590510238, 0.169004726639267902826583426598550, 0.190350578064785409913256402421014,
+    static constexpr std::array<double, 8> kronrod{0.022935322010529224963732008058970, 0.063092092629978553290700663189204,
+                                                   0.104790010322250183839876322541518, 0.140653259715525918745189590510238,
+                                                   0.169004726639267902826583426598550, 0.190350578064785409913256402421014,
                                                    0.204432940075298892414161999234649, 0.209482141084727828012999174891714};
-    static constexpr std::array<double, 4> gauss{0.129484966168869693270611432679082, 0.279705391489276667901467771423780, 0.381830050505118944950369775488975,
-                                                 0.417959183673469387755102040816327};
+    static constexpr std::array<double, 4> gauss{0.129484966168869693270611432679082, 0.279705391489276667901467771423780,
+                                                 0.381830050505118944950369775488975, 0.417959183673469387755102040816327};
     const double middle = 0.5 * (from + to), half = 0.5 * (to - from);
     double fine = 0.0, coarse = 0.0;
     for (int i = 0; i < 8; ++i) {
@@ -143,7 +145,8 @@ double volume_within(const Box& box, const Revolved& body)
     if (!(size.x > 0.0 && size.y > 0.0 && size.z > 0.0)) return 0.0;
     const Slicer slicer(box, body);
     const auto s = slicer.breaks();
-    const double widest = std::max(body.radius(body.lower), std::max(body.radius(body.upper), body.radius(0.5 * (body.lower + body.upper))));
+    const double widest =
+        std::max(body.radius(body.lower), std::max(body.radius(body.upper), body.radius(0.5 * (body.lower + body.upper))));
     const double tolerance = 1e-10 * std::numbers::pi * widest * widest * (body.upper - body.lower) / static_cast<double>(s.size());
     double volume = 0.0;
     for (std::size_t i = 0; i + 1 < s.size(); ++i)

@@ -162,7 +162,8 @@ double cut_volume(const Ellipsoid& e, const Box& box)
 double cut_volume(const Hemisphere& h, const Box& box)
 {
     const double radius = h.radius;
-    return volume_within(box, Revolved{h.center, h.axis, 0.0, radius, [radius](double s) { return std::sqrt(std::max(0.0, radius * radius - s * s)); }});
+    return volume_within(
+        box, Revolved{h.center, h.axis, 0.0, radius, [radius](double s) { return std::sqrt(std::max(0.0, radius * radius - s * s)); }});
 }
 
 double cut_volume(const Cylinder& c, const Box& box)

@@ -47,8 +47,8 @@ public:
     static Shape surface(const Mesh& mesh, const std::string& name);
 
     [[nodiscard]] bool contains(const Vector3d& point) const;
-    [[nodiscard]] Box bounds() const;         ///< smallest axis-parallel box around it [m]
-    [[nodiscard]] double volume() const;      ///< of the whole shape, exact [m3]
+    [[nodiscard]] Box bounds() const;     ///< smallest axis-parallel box around it [m]
+    [[nodiscard]] double volume() const;  ///< of the whole shape, exact [m3]
     /// Volume of the part within `box` [m3]: round-off for boxes, surfaces and cuts through the center, else better than 1e-8 of the whole.
     [[nodiscard]] double volume_within(const Box& box) const;
     /// Whether more than 1e-9 of the shape lies within the box.

@@ -6,7 +6,6 @@
 #include <unordered_map>
 
 #include "base/error.hpp"
-#include "mesh/measure.hpp"
 
 namespace corpuscle {
 
@@ -67,6 +66,14 @@ private:
     std::unordered_map<Cell, std::vector<std::uint32_t>, CellHash> cells_;
 };
 
+/// A distance below which positions are the same but for round-off; not 0, because cells of no size cannot be numbered. [m]
+double smallest_tolerance(const Mesh& mesh)
+{
+    double largest = 1e-290;
+    for (const Vector3d& node : mesh.nodes) largest = std::max({largest, std::abs(node.x), std::abs(node.y), std::abs(node.z)});
+    return 1e-15 * largest;
+}
+
 /// Gives each node the index `renumbered` says; drops those that are `gone` from the sets.
 void renumber(Mesh& mesh, const std::vector<std::uint32_t>& renumbered)
 {
@@ -121,8 +128,7 @@ void append(Mesh& mesh, const Mesh& other)
 
 std::size_t merge_nodes(Mesh& mesh, double tolerance)
 {
-    const double smallest = 1e-14 * diagonal(mesh);  // cells of no size cannot be numbered
-    KeptNodes kept_nodes(mesh.nodes, std::max({tolerance, smallest, std::numeric_limits<double>::min()}));
+    KeptNodes kept_nodes(mesh.nodes, std::max(tolerance, smallest_tolerance(mesh)));
     std::vector<std::uint32_t> kept, renumbered(mesh.nodes.size());
     for (std::uint32_t node = 0; node < mesh.nodes.size(); ++node) {
         const std::uint32_t twin = kept_nodes.near(mesh.nodes[node]);

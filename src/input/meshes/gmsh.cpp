@@ -23,7 +23,8 @@ Format read_format(Scanner& scanner)
     const std::int64_t size = scanner.integer("the size of a number");
     scanner.line();
     if (format.version != "2.2" && format.version != "4.1")
-        scanner.fail(fmt::format("gmsh format {} is not supported", format.version), "save as version 4.1 or 2.2 (in gmsh: Mesh.MshFileVersion = 4.1)");
+        scanner.fail(fmt::format("gmsh format {} is not supported", format.version),
+                     "save as version 4.1 or 2.2 (in gmsh: Mesh.MshFileVersion = 4.1)");
     if (kind != 0 && kind != 1) scanner.fail("the format is neither text (0) nor binary (1)", "save the file again");
     if (size != 8) scanner.fail(fmt::format("numbers of {} bytes are not supported", size), "save on a 64-bit machine, or as text");
     format.binary = kind == 1;
@@ -40,8 +41,10 @@ Mesh read_gmsh(Scanner scanner)
 {
     const Format format = read_format(scanner);
     GmshContent content;
-    if (format.version == "2.2") read_gmsh_2(scanner, format.binary, content);
-    else read_gmsh_4(scanner, format.binary, content);
+    if (format.version == "2.2")
+        read_gmsh_2(scanner, format.binary, content);
+    else
+        read_gmsh_4(scanner, format.binary, content);
     return content.mesh(scanner);
 }
 

@@ -84,7 +84,8 @@ void read_binary_elements(Scanner& scanner, GmshContent& content)
         const GmshType type = gmsh_type(scanner, reader.integer("the type of a block"));
         const std::size_t block = scanner.count(reader.integer("the size of a block"), 8, "elements of a block");
         const std::int64_t tags = reader.integer("the number of tags");
-        if (block == 0 || block > count - done) scanner.fail(fmt::format("a block of {} elements where {} are left", block, count - done), "save the file again");
+        if (block == 0 || block > count - done)
+            scanner.fail(fmt::format("a block of {} elements where {} are left", block, count - done), "save the file again");
         for (std::size_t i = 0; i < block; ++i) {
             reader.integer("the number of an element");
             const auto groups = read_groups(scanner, reader, tags);

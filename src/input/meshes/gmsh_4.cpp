@@ -18,7 +18,10 @@ public:
     Reader(Scanner& scanner, bool binary) : scanner_(scanner), binary_(binary) {}
 
     std::int64_t small(const char* what) { return binary_ ? scanner_.bytes<int>(what) : scanner_.integer(what); }
-    std::int64_t large(const char* what) { return binary_ ? static_cast<std::int64_t>(scanner_.bytes<std::uint64_t>(what)) : scanner_.integer(what); }
+    std::int64_t large(const char* what)
+    {
+        return binary_ ? static_cast<std::int64_t>(scanner_.bytes<std::uint64_t>(what)) : scanner_.integer(what);
+    }
     double real(const char* what) { return binary_ ? scanner_.bytes<double>(what) : scanner_.real(what); }
     std::size_t count(std::size_t least_bytes, const char* what) { return scanner_.count(large(what), least_bytes, what); }
     Vector3d point()
@@ -123,8 +126,7 @@ void read_gmsh_4(Scanner& scanner, bool binary, GmshContent& content)
     for (std::string section = next_section(scanner); !section.empty(); section = next_section(scanner)) {
         if (section == "PhysicalNames") read_physical_names(scanner, content);
         if (section == "Entities") groups = read_entities(reader);
-        if (section == "PartitionedEntities")
-            scanner.fail("the mesh is partitioned", "save it in one piece (in gmsh: Mesh > Unpartition)");
+        if (section == "PartitionedEntities") scanner.fail("the mesh is partitioned", "save it in one piece (in gmsh: Mesh > Unpartition)");
         if (section == "Nodes") read_nodes(scanner, reader, content);
         if (section == "Elements") read_elements(scanner, reader, groups, content);
         scanner.skip_past_line("$End" + section);

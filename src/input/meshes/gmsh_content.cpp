@@ -12,7 +12,8 @@ namespace corpuscle {
 
 namespace {
 
-constexpr const char* first_order = "mesh with first-order triangles, quadrilaterals, tetrahedra or hexahedra (in gmsh: Mesh.ElementOrder = 1)";
+constexpr const char* first_order =
+    "mesh with first-order triangles, quadrilaterals, tetrahedra or hexahedra (in gmsh: Mesh.ElementOrder = 1)";
 
 /// Names of gmsh's element types that are refused, by number.
 const char* refused_type(std::int64_t number)
@@ -78,7 +79,8 @@ void GmshContent::add_element(const Scanner& scanner, const GmshType& type, cons
     add_unique_sorted(element.groups, groups);
     for (int i = 0; i < type.nodes; ++i) {
         const auto found = index_of_.find(tags[i]);
-        if (found == index_of_.end()) scanner.fail(fmt::format("an element uses node {}, which the file does not have", tags[i]), "save the whole mesh again");
+        if (found == index_of_.end())
+            scanner.fail(fmt::format("an element uses node {}, which the file does not have", tags[i]), "save the whole mesh again");
         element.node[i] = found->second;
     }
     if (!element.groups.empty()) {
@@ -133,7 +135,8 @@ void read_physical_names(Scanner& scanner, GmshContent& content)
         const std::int64_t tag = scanner.integer("the number of a physical group");
         const std::string_view quoted = scanner.line();
         const std::size_t first = quoted.find('"'), last = quoted.rfind('"');
-        if (first == std::string_view::npos || last == first) scanner.fail("the name of a physical group is not in quotes", "save the file again");
+        if (first == std::string_view::npos || last == first)
+            scanner.fail("the name of a physical group is not in quotes", "save the file again");
         content.name_group({dimension, tag}, std::string(quoted.substr(first + 1, last - first - 1)));
     }
 }

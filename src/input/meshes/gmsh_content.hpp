@@ -31,7 +31,8 @@ public:
     void name_group(const Group& group, std::string name) { names_[group] = std::move(name); }
     void add_node(const Scanner& scanner, std::int64_t tag, const Vector3d& position);
     /// `tags` are the file's numbers of the element's nodes; an element that comes again for a further group is kept once.
-    void add_element(const Scanner& scanner, const GmshType& type, const std::vector<std::int64_t>& groups, const std::array<std::int64_t, 8>& tags);
+    void add_element(const Scanner& scanner, const GmshType& type, const std::vector<std::int64_t>& groups,
+                     const std::array<std::int64_t, 8>& tags);
     [[nodiscard]] bool has_nodes() const { return !nodes_.empty(); }
 
     /// The mesh of the elements of the highest dimension; physical groups as sets.

@@ -17,7 +17,8 @@ namespace {
 Mesh read_any(Scanner scanner)
 {
     if (scanner.rest().starts_with("$MeshFormat")) return read_gmsh(std::move(scanner));
-    if (looks_like_stl(scanner) || scanner.file().ends_with(".stl") || scanner.file().ends_with(".STL")) return read_stl(std::move(scanner));
+    if (looks_like_stl(scanner) || scanner.file().ends_with(".stl") || scanner.file().ends_with(".STL"))
+        return read_stl(std::move(scanner));
     scanner.fail("this is no mesh file that is known", "give a gmsh file (.msh, version 2.2 or 4.1) or a surface (.stl)");
 }
 

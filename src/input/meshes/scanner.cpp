@@ -37,7 +37,8 @@ Scanner Scanner::open(const std::string& file)
     std::ifstream stream(file, std::ios::binary);
     std::ostringstream content;
     if (stream) content << stream.rdbuf();
-    if (!stream || content.str().empty()) throw InputError("the mesh file cannot be read or is empty", "check its name and that it may be read", {file, 0, 0});
+    if (!stream || content.str().empty())
+        throw InputError("the mesh file cannot be read or is empty", "check its name and that it may be read", {file, 0, 0});
     return {file, std::move(content).str()};
 }
 

@@ -57,7 +57,8 @@ Mesh read_binary(Scanner& scanner)
     for (std::size_t i = 0; i + sizeof(std::uint32_t) < header_bytes; ++i) scanner.bytes<std::byte>("the header");
     const auto count = scanner.bytes<std::uint32_t>("the number of triangles");
     const auto vector = [&] {
-        const float x = scanner.bytes<float>("a coordinate"), y = scanner.bytes<float>("a coordinate"), z = scanner.bytes<float>("a coordinate");
+        const float x = scanner.bytes<float>("a coordinate"), y = scanner.bytes<float>("a coordinate"),
+                    z = scanner.bytes<float>("a coordinate");
         return Vector3d(Vector3f{x, y, z});
     };
     for (std::uint32_t i = 0; i < count; ++i) {
@@ -65,7 +66,8 @@ Mesh read_binary(Scanner& scanner)
         std::array<Vector3d, 3> corners;
         for (Vector3d& corner : corners) {
             corner = vector();
-            if (!std::isfinite(norm_squared(corner))) scanner.fail(fmt::format("triangle {} has a corner that is not a number", i + 1), "export the surface again");
+            if (!std::isfinite(norm_squared(corner)))
+                scanner.fail(fmt::format("triangle {} has a corner that is not a number", i + 1), "export the surface again");
         }
         add_triangle(mesh, corners);
         scanner.bytes<std::uint16_t>("the attribute of a triangle");
@@ -76,7 +78,8 @@ Mesh read_binary(Scanner& scanner)
 void expect(Scanner& scanner, std::string_view wanted)
 {
     const std::string_view word = scanner.word(std::string(wanted).c_str());
-    if (word != wanted) scanner.fail(fmt::format("'{}' where '{}' was expected", word.substr(0, 40), wanted), "export the surface again, or as binary STL");
+    if (word != wanted)
+        scanner.fail(fmt::format("'{}' where '{}' was expected", word.substr(0, 40), wanted), "export the surface again, or as binary STL");
 }
 
 /// The corners of one facet, of which "facet" has been read.
@@ -105,7 +108,8 @@ Mesh read_text(Scanner& scanner)
         scanner.line();
         const auto first = static_cast<std::uint32_t>(mesh.elements.size());
         for (std::string_view word = scanner.word("facet or endsolid"); word != "endsolid"; word = scanner.word("facet or endsolid")) {
-            if (word != "facet") scanner.fail(fmt::format("'{}' where 'facet' or 'endsolid' was expected", word.substr(0, 40)), "export the surface again");
+            if (word != "facet")
+                scanner.fail(fmt::format("'{}' where 'facet' or 'endsolid' was expected", word.substr(0, 40)), "export the surface again");
             add_triangle(mesh, read_facet(scanner));
         }
         scanner.line();
@@ -146,11 +150,13 @@ Mesh read_stl(Scanner scanner)
     if (!is_binary(bytes) && !is_text(bytes)) {
         const std::uint64_t expected = header_bytes + std::uint64_t{triangle_bytes} * announced_triangles(bytes);
         scanner.set_binary(true);
-        scanner.fail(fmt::format("neither text STL nor binary STL ({} triangles announced: {} bytes expected, the file has {})", announced_triangles(bytes), expected, bytes.size()),
+        scanner.fail(fmt::format("neither text STL nor binary STL ({} triangles announced: {} bytes expected, the file has {})",
+                                 announced_triangles(bytes), expected, bytes.size()),
                      "the file may be cut short: export it again");
     }
     Mesh mesh = is_binary(bytes) ? read_binary(scanner) : read_text(scanner);
-    if (mesh.elements.empty()) scanner.fail("the surface has no triangles", "in gmsh, set Mesh.SaveAll = 1 or make a physical group of the surfaces");
+    if (mesh.elements.empty())
+        scanner.fail("the surface has no triangles", "in gmsh, set Mesh.SaveAll = 1 or make a physical group of the surfaces");
     merge_nodes(mesh, coincident * diagonal(mesh));
     remove_collapsed(mesh);
     remove_unused_nodes(mesh);

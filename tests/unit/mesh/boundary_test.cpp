@@ -112,7 +112,8 @@ TEST(OrientClosed, RefusesOneSidedSurfaces)
     // The real projective plane in six triangles' worth of nodes: closed, every edge shared by two, but one-sided.
     Mesh mesh;
     mesh.nodes = {{0, 0, 0}, {1, 0, 0.1}, {0, 1, 0.2}, {1, 1, 0.3}, {0.5, 0.2, 1}, {0.1, 0.7, 0.9}};
-    const std::vector<Triangle> triangles{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 5, 1}, {1, 2, 4}, {2, 3, 5}, {3, 4, 1}, {4, 5, 2}, {5, 1, 3}};
+    const std::vector<Triangle> triangles{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 5, 1},
+                                          {1, 2, 4}, {2, 3, 5}, {3, 4, 1}, {4, 5, 2}, {5, 1, 3}};
     for (const Triangle& t : triangles) mesh.elements.push_back({ElementShape::triangle, {t[0], t[1], t[2]}});
     EXPECT_THAT(refusal([&] { orient_closed(mesh, "crosscap"); }), HasSubstr("one side only"));
 }

@@ -43,7 +43,8 @@ TEST(ScaledJacobian, IsOneForRegularElements)
     const double h = std::sqrt(3.0) / 2;
     EXPECT_NEAR(check(single(ElementShape::triangle, {{0, 0, 0}, {1, 0, 0}, {0.5, h, 0}})).min_scaled_jacobian, 1.0, 1e-15);
     EXPECT_NEAR(check(single(ElementShape::quadrilateral, {{0, 0, 0}, {0, 2, 0}, {0, 2, 2}, {0, 0, 2}})).min_scaled_jacobian, 1.0, 1e-15);
-    EXPECT_NEAR(check(single(ElementShape::tetrahedron, {{1, 1, 1}, {-1, 1, -1}, {1, -1, -1}, {-1, -1, 1}})).min_scaled_jacobian, 1.0, 1e-14);
+    EXPECT_NEAR(check(single(ElementShape::tetrahedron, {{1, 1, 1}, {-1, 1, -1}, {1, -1, -1}, {-1, -1, 1}})).min_scaled_jacobian, 1.0,
+                1e-14);
     EXPECT_NEAR(check(cube()).min_scaled_jacobian, 1.0, 1e-15);
 }
 
@@ -61,7 +62,8 @@ TEST(ScaledJacobian, IsTheSineOfTheWorstAngleOfAParallelogram)
 TEST(Warp, IsTheAngleBetweenTheTrianglesOfAFoldedQuadrilateral)
 {
     const double fold = 0.3;
-    const MeshQuality quality = check(single(ElementShape::quadrilateral, {{0, -1, 0}, {1, 0, 0}, {0, 1, 0}, {-std::cos(fold), 0, std::sin(fold)}}));
+    const MeshQuality quality =
+        check(single(ElementShape::quadrilateral, {{0, -1, 0}, {1, 0, 0}, {0, 1, 0}, {-std::cos(fold), 0, std::sin(fold)}}));
     EXPECT_GE(quality.worst_warp, fold - 1e-12);  // about the diagonal through (0, -1) and (0, 1) exactly the fold
     EXPECT_LT(quality.worst_warp, 1.1 * fold);
 }

@@ -86,8 +86,10 @@ TEST(Shape, BoundsTouchTheShapeOnEverySide)
             for (const bool upper : {false, true}) {
                 Box slab = bounds;
                 const double thickness = 0.01 * bounds.size()[axis];
-                if (upper) slab.lower[axis] = bounds.upper[axis] - thickness;
-                else slab.upper[axis] = bounds.lower[axis] + thickness;
+                if (upper)
+                    slab.lower[axis] = bounds.upper[axis] - thickness;
+                else
+                    slab.upper[axis] = bounds.lower[axis] + thickness;
                 EXPECT_GT(shape.volume_within(slab), 0.0) << name << " axis " << axis << " upper " << upper;
             }
     }

@@ -176,8 +176,10 @@ TEST(ReadGmsh, RefusesHigherOrdersByName)
 {
     EXPECT_THAT(refusal([] { return read_mesh(data("second_order.msh")); }),
                 AllOf(HasSubstr("second_order.msh:"), HasSubstr("(second order) is not supported"), HasSubstr("ElementOrder")));
-    EXPECT_THAT(gmsh_refusal(replaced(content("sheet_2.2_text.msh"), "14 3 2 10 1 1 7 14 10", "14 6 2 10 1 1 7 14 10")), HasSubstr("6-node prism"));
-    EXPECT_THAT(gmsh_refusal(replaced(content("sheet_2.2_text.msh"), "14 3 2 10 1 1 7 14 10", "14 0 2 10 1 1 7 14 10")), HasSubstr("element type 0"));
+    EXPECT_THAT(gmsh_refusal(replaced(content("sheet_2.2_text.msh"), "14 3 2 10 1 1 7 14 10", "14 6 2 10 1 1 7 14 10")),
+                HasSubstr("6-node prism"));
+    EXPECT_THAT(gmsh_refusal(replaced(content("sheet_2.2_text.msh"), "14 3 2 10 1 1 7 14 10", "14 0 2 10 1 1 7 14 10")),
+                HasSubstr("element type 0"));
 }
 
 TEST(ReadGmsh, RefusesOtherVersionsAndByteOrders)
@@ -219,7 +221,8 @@ TEST_P(StlFlavour, FilesCutShortAreRefusedWhereverTheyEnd)
     const std::string whole = content(GetParam());
     const std::size_t last = whole.find_last_not_of("\n");
     const std::size_t end = whole.starts_with("solid") ? whole.rfind("endsolid") + 7 : last;
-    for (std::size_t length = 0; length <= end; ++length) EXPECT_THAT(stl_refusal(whole.substr(0, length)), HasSubstr("case.stl:")) << length;
+    for (std::size_t length = 0; length <= end; ++length)
+        EXPECT_THAT(stl_refusal(whole.substr(0, length)), HasSubstr("case.stl:")) << length;
 }
 
 INSTANTIATE_TEST_SUITE_P(All, StlFlavour, testing::Values("corner_text.stl", "corner_binary.stl"));
@@ -251,7 +254,8 @@ TEST(ReadStl, RefusesWithLineOrByte)
 TEST(ReadMesh, RefusesOtherFilesAndUnits)
 {
     EXPECT_THAT(refusal([] { return read_mesh(data("none.msh")); }), HasSubstr("cannot be read"));
-    EXPECT_THAT(refusal([] { return read_mesh(data("brick.geo")); }), AllOf(HasSubstr("brick.geo:1:1"), HasSubstr("no mesh file that is known")));
+    EXPECT_THAT(refusal([] { return read_mesh(data("brick.geo")); }),
+                AllOf(HasSubstr("brick.geo:1:1"), HasSubstr("no mesh file that is known")));
     EXPECT_THAT(refusal([] { return read_mesh(data("sheet_2.2_text.msh"), 0.0); }), HasSubstr("unit"));
     EXPECT_THAT(refusal([] { return read_mesh(std::string(CORPUSCLE_SOURCE_DIR)); }), HasSubstr("cannot be read"));
 }
