@@ -14,7 +14,8 @@ namespace corpuscle {
 
 namespace {
 
-constexpr double negligible = 1e-3;
+constexpr double negligible = 1e-3;   ///< of the greatest value, for a component
+constexpr double small_share = 0.05;  ///< of the greatest value, for an energy
 constexpr std::array<std::string_view, 5> order{"displacement", "energy", "pressure", "impulse", "velocity"};
 
 /// Columns that share a chart.
@@ -86,12 +87,32 @@ Chart chart_of(const Group& group, const HistoryTable& history, const std::vecto
     return chart;
 }
 
+/// Moves the curves that would lie on the axis beside the great ones into a chart of their own: what a plate takes up is a small part of
+/// what an explosive holds.
+Chart lesser_curves(Chart& chart)
+{
+    double size = 0;
+    for (const Curve& curve : chart.curves) size = std::max(size, greatest(curve.y));
+    const auto first = std::stable_partition(chart.curves.begin(), chart.curves.end(), [size](const Curve& curve) { return greatest(curve.y) >= small_share * size; });
+    Chart lesser = chart;
+    lesser.title += ", the smaller shares";
+    lesser.references.clear();
+    lesser.curves.assign(first, chart.curves.end());
+    chart.curves.erase(first, chart.curves.end());
+    return lesser;
+}
+
 }  // namespace
 
 std::vector<Chart> history_charts(const HistoryTable& history, const std::vector<ReferenceValue>& references)
 {
     std::vector<Chart> charts;
-    for (const Group& group : groups_of(history)) charts.push_back(chart_of(group, history, references));
+    for (const Group& group : groups_of(history)) {
+        charts.push_back(chart_of(group, history, references));
+        if (group.quantity != "energy") continue;
+        Chart lesser = lesser_curves(charts.back());
+        if (!lesser.curves.empty()) charts.push_back(std::move(lesser));
+    }
     return charts;
 }
 

@@ -94,6 +94,19 @@ std::string shown_bytes(std::uint64_t bytes)
     return mebibytes < 1024 ? rounded(mebibytes, 3) + " MiB" : rounded(mebibytes / 1024, 3) + " GiB";
 }
 
+/// Three components with one unit, each to a thousandth of the vector's size.
+std::string shown_vector(const Vector3d& vector, const std::string& unit)
+{
+    const double size = norm(vector);
+    const ShownUnit shown = shown_unit(unit, size);
+    const int decimals = size > 0 ? std::clamp(2 - static_cast<int>(std::floor(std::log10(size / shown.factor))), 0, 9) : 0;
+    const auto value = [&](double si) {
+        const std::string text = fmt::format("{:.{}f}", si / shown.factor, decimals);
+        return text.find_first_not_of("-0.") == std::string::npos ? std::string("0") : text;
+    };
+    return fmt::format("({}, {}, {}) {}", value(vector.x), value(vector.y), value(vector.z), shown.unit);
+}
+
 std::string probe_table(const RunSummary& summary)
 {
     std::vector<Row> rows;
@@ -102,10 +115,11 @@ std::string probe_table(const RunSummary& summary)
             const auto [quantity, unit] = parts_of(key);
             const ShownUnit shown = shown_unit(unit, std::max(std::abs(probe.minimum), std::abs(probe.maximum)));
             const auto value = [&shown](double si) { return rounded(si / shown.factor); };
-            rows.push_back({name + " " + quantity, shown.unit, value(probe.minimum), value(probe.maximum), shown_value(probe.time_of_maximum, "s"), value(probe.final)});
+            rows.push_back({name + " " + quantity, shown.unit, value(probe.minimum), shown_value(probe.time_of_minimum, "s"), value(probe.maximum),
+                            shown_value(probe.time_of_maximum, "s"), value(probe.final)});
         }
     }
-    return table("Probes", {"", "unit", "lowest", "highest", "at", "last"}, rows);
+    return table("Probes", {"", "unit", "lowest", "at", "highest", "at", "last"}, rows);
 }
 
 std::string gauge_table(const RunSummary& summary)
@@ -121,10 +135,7 @@ std::string part_table(const RunSummary& summary)
 {
     std::vector<Row> rows;
     for (const auto& [name, part] : summary.parts) {
-        const ShownUnit shown = shown_unit("N s", norm(part.impulse));
-        const auto value = [&shown](double si) { return rounded(si / shown.factor, 3); };
-        rows.push_back({name, fmt::format("({}, {}, {}) {}", value(part.impulse.x), value(part.impulse.y), value(part.impulse.z), shown.unit),
-                        rounded(100 * part.max_plastic_strain, 3) + " %", shown_value(part.kinetic_energy, "J"), shown_value(part.internal_energy, "J")});
+        rows.push_back({name, shown_vector(part.impulse, "N s"), rounded(100 * part.max_plastic_strain, 3) + " %", shown_value(part.kinetic_energy, "J"), shown_value(part.internal_energy, "J")});
     }
     return table("Parts", {"", "impulse taken up (x, y, z)", "plastic strain", "kinetic", "internal energy"}, rows);
 }
@@ -136,10 +147,11 @@ std::string phase_table(const RunSummary& summary)
     if (!(whole > 0)) return {};
     std::vector<std::pair<std::string, double>> phases = summary.seconds;
     phases.emplace_back("other", whole - known);
+    const double longest = std::max_element(phases.begin(), phases.end(), [](const auto& a, const auto& b) { return a.second < b.second; })->second;
     std::string rows;
     for (const auto& [name, seconds] : phases) {
         rows += fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td class=\"bar\"><div style=\"width:{:.1f}%\"></div></td></tr>", escaped(spaced(name)),
-                            escaped(shown_value(seconds, "s")), percent_of(seconds, whole), 100 * seconds / whole);
+                            escaped(shown_value(seconds, "s")), percent_of(seconds, whole), 100 * seconds / longest);
     }
     return "<div class=\"card scroll\"><table><caption>Wall time per phase</caption><tbody>" + rows + "</tbody></table></div>\n";
 }
@@ -147,8 +159,7 @@ std::string phase_table(const RunSummary& summary)
 /// One line of the table of counts: how many, how much work, and what a unit of it took of the whole run.
 Row work_row(const std::string& name, std::uint64_t count, std::uint64_t work, double wall)
 {
-    const double each = work > 0 ? 1e9 * wall / static_cast<double>(work) : 0;
-    return {name, grouped(count), work > 0 ? grouped(work) : "-", work > 0 ? rounded(each, 3) + " ns" : "-"};
+    return {name, grouped(count), work > 0 ? grouped(work) : "-", work > 0 ? shown_value(wall / static_cast<double>(work), "s") : "-"};
 }
 
 std::string count_table(const RunSummary& summary)
@@ -162,7 +173,7 @@ std::string count_table(const RunSummary& summary)
     if (summary.elements > 0) rows.push_back(work_row("elements", summary.elements, summary.element_steps, wall));
     if (summary.grains > 0) rows.push_back(work_row("grains", summary.grains, summary.grain_steps, wall));
     if (summary.cells > 0) rows.push_back(work_row("cells", summary.cells, summary.cell_steps, wall));
-    return table("Counts and work", {"", "number", "times steps", "whole run per one step of one"}, rows);
+    return table("Counts and work", {"", "number", "times steps", "wall time for each"}, rows);
 }
 
 }  // namespace
@@ -220,16 +231,15 @@ std::string report_verdicts(const RunSummary& summary)
 std::string report_results(const RunSummary& summary)
 {
     const std::string tables = probe_table(summary) + gauge_table(summary) + part_table(summary);
-    return tables.empty() ? "" : "<section><h2>Results</h2><div class=\"tables\">" + tables + "</div></section>\n";
+    return tables.empty() ? "" : "<section><h2>Results</h2><div class=\"stack\">" + tables + "</div></section>\n";
 }
 
 std::string report_ledger(const RunSummary& summary)
 {
     std::vector<Row> rows;
     for (const Transfer& transfer : summary.transfers) {
-        const Vector3d& momentum = transfer.momentum;
-        rows.push_back({transfer.from + " → " + transfer.to, transfer.mass == 0 ? "-" : rounded(transfer.mass) + " kg",
-                        fmt::format("({}, {}, {}) N s", rounded(momentum.x, 3), rounded(momentum.y, 3), rounded(momentum.z, 3)), shown_value(transfer.energy, "J")});
+        rows.push_back({transfer.from + " → " + transfer.to, transfer.mass == 0 ? "-" : rounded(transfer.mass) + " kg", shown_vector(transfer.momentum, "N s"),
+                        shown_value(transfer.energy, "J")});
     }
     const std::string text = table("Sums over the run", {"", "mass", "momentum (x, y, z)", "energy"}, rows);
     return text.empty() ? "" : "<section><h2>Who gave what to whom</h2>" + text + "</section>\n";

@@ -18,7 +18,7 @@ p{margin:0 0 8px}
 .soft,.lead{color:var(--soft)}
 .status{display:inline-block;padding:1px 10px;border-radius:99px;border:1px solid currentColor;font-size:.8rem;font-weight:600;margin-bottom:10px}
 .pass{color:var(--pass)}.warn{color:var(--warn)}
-.tiles,.checks,.charts,.tables{display:grid;gap:14px}
+.tiles,.checks,.charts,.tables,.stack{display:grid;gap:14px}
 .tiles{grid-template-columns:repeat(auto-fit,minmax(150px,1fr));margin-top:18px}
 .checks{grid-template-columns:repeat(auto-fit,minmax(195px,1fr))}
 .charts{grid-template-columns:repeat(auto-fit,minmax(min(100%,460px),1fr))}
@@ -46,6 +46,7 @@ svg{display:block;width:100%;height:auto;touch-action:pan-y}
 .tip{position:absolute;z-index:2;pointer-events:none;background:var(--card);border:1px solid var(--line);border-radius:7px;padding:5px 9px;font-size:.82rem;
 box-shadow:0 3px 12px #0003;font-variant-numeric:tabular-nums;white-space:nowrap}
 .tip i{display:inline-block;width:9px;height:9px;border-radius:50%;background:var(--c);margin-right:6px}
+.stack{grid-template-columns:minmax(0,1fr)}
 .scroll{overflow-x:auto}
 table{border-collapse:collapse;width:100%;font-size:.9rem;font-variant-numeric:tabular-nums}
 caption{text-align:left;font-weight:650;padding-bottom:6px}

@@ -85,7 +85,11 @@ Json probes_of(const RunSummary& summary)
     for (const auto& [name, quantities] : summary.probes) {
         probes[name] = Json::object();
         for (const auto& [key, probe] : quantities) {
-            probes[name][key] = {{"min", probe.minimum}, {"max", probe.maximum}, {"final", probe.final}, {"time_of_max_s", probe.time_of_maximum}};
+            probes[name][key] = {{"min", probe.minimum},
+                                 {"max", probe.maximum},
+                                 {"final", probe.final},
+                                 {"time_of_min_s", probe.time_of_minimum},
+                                 {"time_of_max_s", probe.time_of_maximum}};
         }
     }
     return probes;
@@ -168,7 +172,8 @@ void read_bodies(const Json& json, RunSummary& summary)
 {
     for (const auto& [name, quantities] : json.at("probes").items()) {
         for (const auto& [key, probe] : quantities.items()) {
-            summary.probes[name][key] = {number(probe.at("min")), number(probe.at("max")), number(probe.at("final")), number(probe.at("time_of_max_s"))};
+            summary.probes[name][key] = {number(probe.at("min")), number(probe.at("max")), number(probe.at("final")), number(probe.at("time_of_min_s")),
+                                         number(probe.at("time_of_max_s"))};
         }
     }
     for (const auto& [name, gauge] : json.at("gauges").items()) {

@@ -19,7 +19,8 @@ struct ProbeSummary {
     double minimum = 0;
     double maximum = 0;
     double final = 0;
-    double time_of_maximum = 0;  ///< of the maximum [s]
+    double time_of_minimum = 0;  ///< [s]
+    double time_of_maximum = 0;  ///< [s]
 };
 
 /// What a gauge saw.

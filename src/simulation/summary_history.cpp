@@ -18,8 +18,11 @@ std::optional<ProbeSummary> extremes(const std::vector<double>& times, const std
     for (std::size_t i = 0; i < values.size(); ++i) {
         const double value = values[i];
         if (std::isnan(value)) continue;
-        if (!result) result = ProbeSummary{value, value, value, times[i]};
-        result->minimum = std::min(result->minimum, value);
+        if (!result) result = ProbeSummary{value, value, value, times[i], times[i]};
+        if (value < result->minimum) {
+            result->minimum = value;
+            result->time_of_minimum = times[i];
+        }
         if (value > result->maximum) {
             result->maximum = value;
             result->time_of_maximum = times[i];

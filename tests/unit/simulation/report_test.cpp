@@ -75,8 +75,8 @@ TEST(Report, ShowsVerdictsWithNumberAndLimit)
 TEST(Report, DrawsEveryQuantityOnce)
 {
     const std::string page = report_page(sample_run());
-    EXPECT_EQ(count(page, "<figure class=\"chart\">"), 5U);
-    for (const char* title : {"Displacement", "Energy", "Pressure", "Impulse", "Velocity"}) EXPECT_THAT(page, HasSubstr("<b>" + std::string(title) + "</b>"));
+    EXPECT_EQ(count(page, "<figure class=\"chart\">"), 6U);
+    for (const char* title : {"Displacement", "Energy", "Energy, the smaller shares", "Pressure", "Impulse", "Velocity"}) EXPECT_THAT(page, HasSubstr("<b>" + std::string(title) + "</b>"));
     EXPECT_EQ(count(page, "<path class=\"curve"), 7U);  // x and y displacements are negligible
     EXPECT_THAT(page, HasSubstr("time [ms]"));
     EXPECT_THAT(page, HasSubstr("[mm]"));
@@ -92,8 +92,8 @@ TEST(Report, EscapesWhatTheCaseSays)
     EXPECT_THAT(page, HasSubstr("&lt;RHA&gt; plate &amp; frame"));
     EXPECT_THAT(page, Not(HasSubstr("<RHA>")));
     EXPECT_EQ(count(page, "</pre>"), 1U);
-    EXPECT_EQ(count(page, "<script"), 6U);  // five charts and the read-out
-    EXPECT_EQ(count(page, "</script>"), 6U);
+    EXPECT_EQ(count(page, "<script"), 7U);  // six charts and the read-out
+    EXPECT_EQ(count(page, "</script>"), 7U);
 }
 
 TEST(Report, SaysWhatItCostAndHowToRepeatIt)
@@ -105,7 +105,8 @@ TEST(Report, SaysWhatItCostAndHowToRepeatIt)
     EXPECT_THAT(page, HasSubstr("end_time = &quot;3 ms&quot;"));
     EXPECT_THAT(page, HasSubstr("38.7 %"));  // collide, 5.5 s of 14.2 s
     EXPECT_THAT(page, HasSubstr("gas → structure"));
-    EXPECT_THAT(page, HasSubstr("575 ns"));  // 14.2 s / 24.68e6
+    EXPECT_THAT(page, HasSubstr("575.4 ns"));  // 14.2 s / 24.68e6
+    EXPECT_THAT(page, HasSubstr("(0, 0, -1.65) kN s"));
 }
 
 TEST(Report, SaysWhyARunStopped)
@@ -133,10 +134,11 @@ TEST(HistoryCharts, GroupsAndOrdersTheColumns)
 {
     const ReportData data = sample_run();
     const std::vector<Chart> charts = history_charts(data.history, data.summary.references);
-    ASSERT_EQ(charts.size(), 5U);
+    ASSERT_EQ(charts.size(), 6U);
     EXPECT_THAT(labels(charts[0]), ElementsAre("center z"));
-    EXPECT_THAT(labels(charts[1]), ElementsAre("gas", "kinetic", "internal"));
-    EXPECT_THAT(labels(charts[2]), ElementsAre("wall"));
+    EXPECT_THAT(labels(charts[1]), ElementsAre("gas"));
+    EXPECT_THAT(labels(charts[2]), ElementsAre("kinetic", "internal"));
+    EXPECT_THAT(labels(charts[3]), ElementsAre("wall"));
     ASSERT_EQ(charts[0].references.size(), 1U);
     EXPECT_EQ(charts[0].references[0].value, -0.047);
     EXPECT_TRUE(charts[1].references.empty());

@@ -48,7 +48,7 @@ TEST(Summary, HasThePromisedKeys)
     EXPECT_EQ(summary.at("ledger").at("mass_error"), 0);
     EXPECT_EQ(summary.at("ledger").at("momentum_error"), 2.5e-7);
     EXPECT_EQ(summary.at("ledger").at("energy_error"), -3.1e-3);
-    EXPECT_THAT(keys(summary.at("probes").at("center").at("displacement_z_m")), ElementsAre("final", "max", "min", "time_of_max_s"));
+    EXPECT_THAT(keys(summary.at("probes").at("center").at("displacement_z_m")), ElementsAre("final", "max", "min", "time_of_max_s", "time_of_min_s"));
     EXPECT_THAT(keys(summary.at("gauges").at("wall")), ElementsAre("arrival_s", "impulse_pa_s", "peak_pressure_pa"));
     EXPECT_EQ(summary.at("parts").at("plate"),
               json::parse(R"({"impulse_n_s": [0.1, -0.2, -1650], "max_plastic_strain": 0.0123, "kinetic_energy_j": 4.5e4, "internal_energy_j": 8.9e4})"));
@@ -134,6 +134,7 @@ TEST(SummaryHistory, FindsExtremesBetweenGaps)
     ASSERT_EQ(summary.probes.size(), 1U);
     const ProbeSummary& speed = summary.probes.at("p").at("speed_m_per_s");
     EXPECT_EQ(speed.minimum, -2);
+    EXPECT_EQ(speed.time_of_minimum, 2);
     EXPECT_EQ(speed.maximum, 5);
     EXPECT_EQ(speed.time_of_maximum, 3);
     EXPECT_EQ(speed.final, 1);
