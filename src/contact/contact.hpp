@@ -21,6 +21,9 @@ public:
     /// Lets the bodies meet in the step of the clock; returns what each gave the other, equal and opposite.
     virtual std::vector<Transfer> apply(const Clock& clock) = 0;
 
+    /// Impulse that each facet of the structure has got from this contact since the start [N s].
+    [[nodiscard]] virtual const std::vector<Vector3d>& facet_impulse() const = 0;
+
     /// What a restart needs.
     virtual FieldSet state() { return {}; }
 };

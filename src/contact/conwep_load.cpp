@@ -50,6 +50,7 @@ ConwepLoad::ConwepLoad(Structure& structure, std::uint32_t part, const ConwepCha
     specific_impulse_.assign(facets_.size(), 0.0);
     pressure_.assign(facets_.size(), 0.0);
     push_.resize(facets_.size());
+    facet_impulse_.resize(structure.surface.facets.size());
 }
 
 void ConwepLoad::add_facet(std::uint32_t facet, const ConwepCharge& charge)
@@ -88,13 +89,15 @@ std::vector<Transfer> ConwepLoad::apply(const Clock& clock)
         for (const std::uint32_t node : structure_.surface.facets[facets_[i]].node)
             given.energy += push(structure_.nodes, node, push_[i] / 3.0);
         given.momentum += push_[i];
+        facet_impulse_[facets_[i]] += push_[i];
     }
     return {given};
 }
 
 FieldSet ConwepLoad::state()
 {
-    return {name(), {stored_field("specific_impulse", "Pa s", "what the blast has given, per area", specific_impulse_)}};
+    return {name(), {stored_field("specific_impulse", "Pa s", "what the blast has given, per area", specific_impulse_),
+                     stored_field("facet_impulse", "N s", "impulse of the blast on each facet since the start", facet_impulse_)}};
 }
 
 FieldSet ConwepLoad::facet_fields()

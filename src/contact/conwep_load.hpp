@@ -34,7 +34,9 @@ public:
     /// Returns "conwep" -> "structure": momentum, and the work done on the nodes.
     std::vector<Transfer> apply(const Clock& clock) override;
 
-    /// Specific impulse that each facet has received.
+    [[nodiscard]] const std::vector<Vector3d>& facet_impulse() const override { return facet_impulse_; }
+
+    /// Impulse that each facet has received.
     [[nodiscard]] FieldSet state() override;
 
     /// For pictures and histories, on the loaded facets: specific impulse so far, mean pressure over the last step, peak pressure, arrival.
@@ -52,7 +54,8 @@ private:
     std::vector<double> side_;              ///< +1 where the facet's normal points away from the charge, -1 where towards it
     std::vector<double> specific_impulse_;  ///< so far [Pa s]
     std::vector<double> pressure_;          ///< mean over the last step [Pa]
-    std::vector<Vector3d> push_;            ///< of the step, on each facet [N s]
+    std::vector<Vector3d> push_;            ///< of the step, on each loaded facet [N s]
+    std::vector<Vector3d> facet_impulse_;   ///< so far, on every facet of the structure [N s]
 
     void add_facet(std::uint32_t facet, const ConwepCharge& charge);
     void find_pushes(const Clock& clock);

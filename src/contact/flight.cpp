@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "math/single.hpp"
+
 namespace corpuscle {
 namespace {
 
@@ -12,11 +14,10 @@ constexpr double stepped_back = 1e-6;  ///< share of a leg by which the next beg
 /// The float nearest to a coordinate that is not below it (upward) or not above it.
 double float_beyond(double coordinate, bool upward)
 {
-    const float nearest = static_cast<float>(coordinate);
-    const double value = static_cast<double>(nearest);
-    if (upward ? value >= coordinate : value <= coordinate) return value;
+    const double nearest = single(coordinate);
+    if (upward ? nearest >= coordinate : nearest <= coordinate) return nearest;
     const float limit = upward ? std::numeric_limits<float>::infinity() : -std::numeric_limits<float>::infinity();
-    return static_cast<double>(std::nextafter(nearest, limit));
+    return static_cast<double>(std::nextafter(static_cast<float>(nearest), limit));
 }
 
 /// Mirror image of a way in a plane of the given unit normal.
@@ -92,7 +93,7 @@ Vector3d FlightPath::goal_of(const Flight& flight, const Particle& particle) con
 /// The nearest float position; a place in the domain stays in it.
 Vector3d FlightPath::rounded(const Vector3d& point) const
 {
-    Vector3d nearest{Vector3f(point)};
+    Vector3d nearest = single(point);
     for (int axis = 0; axis < 3; ++axis) {
         if (point[axis] >= domain_.box.lower[axis]) nearest[axis] = std::max(nearest[axis], inside_.lower[axis]);
         if (point[axis] <= domain_.box.upper[axis]) nearest[axis] = std::min(nearest[axis], inside_.upper[axis]);

@@ -4,6 +4,7 @@
 
 #include "base/error.hpp"
 #include "gas/faces.hpp"
+#include "math/single.hpp"
 #include "parallel/loops.hpp"
 
 namespace corpuscle {
@@ -100,8 +101,8 @@ void GasStructureContact::bounce(const Flight& flight, double closing, Transfer&
     const double mass = gas_.species[particle_tag::species(particle.tag)].particle_mass;
     const Vector3d before(particle.velocity);
     const double gain = 2 * closing / (1 + mass * effective_inverse_mass(flight));
-    particle.velocity = Vector3f(before + gain * flight.hit.normal);
-    const Vector3d after(particle.velocity);
+    const Vector3d after = single(before + gain * flight.hit.normal);
+    particle.velocity = Vector3f(after);
     const Vector3d impulse = mass * (before - after);
     const std::array<std::uint32_t, 3>& node = tree_.nodes(flight.hit.facet);
     for (int i = 0; i < 3; ++i) structure_.nodes.impulse[node[i]] += flight.hit.weight[i] * impulse;
