@@ -219,7 +219,7 @@ GasPlan plan_gas(const CaseDescription& description, std::vector<std::string>& w
     add_fills(plan, description);
     add_charges(plan, description, warnings);
     const bool ambient = std::find(plan.gas.domain.edges.begin(), plan.gas.domain.edges.end(), Edge::ambient) != plan.gas.domain.edges.end();
-    if (ambient && !input.fill) warnings.push_back("edges are \"ambient\" but [gas] has no fill: vacuum lies outside, so they act as \"open\"");
+    if (ambient && !input.fill) warnings.emplace_back("edges are \"ambient\" but [gas] has no fill: vacuum lies outside, so they act as \"open\"");
     share_out(plan, input);
     return plan;
 }

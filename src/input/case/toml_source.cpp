@@ -162,8 +162,8 @@ void apply_setting(Value& document, const std::string& setting)
         value = &inner_value(*value, words[i], is_index(words[i + 1], index), place);
     }
     inner_value(*value, words.back(), false, place) = setting_value(setting.substr(equals + 1), place);
-    for (std::size_t i = 0; i < value->keys.size(); ++i)
-        if (value->keys[i].name == words.back()) value->keys[i].place = place;
+    for (auto& key : value->keys)
+        if (key.name == words.back()) key.place = place;
 }
 
 }  // namespace corpuscle
