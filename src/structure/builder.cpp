@@ -35,9 +35,11 @@ void check_shapes(const PartDescription& d)
         const ElementShape shape = d.mesh.elements[e].shape;
         if (shape == ElementShape::quadrilateral) continue;
         const std::string place = element_place(d.mesh, e);
-        if (shape != ElementShape::triangle) refuse(d, place + " is a solid", "shells and rigid parts are made of surface elements: mesh the surface");
+        if (shape != ElementShape::triangle)
+            refuse(d, place + " is a solid", "shells and rigid parts are made of surface elements: mesh the surface");
         if (d.element == ElementKind::shell)
-            refuse(d, place + " is a triangle, and deforming shells must be quadrilaterals", "mesh with quadrilaterals only (gmsh: Recombine Surface)");
+            refuse(d, place + " is a triangle, and deforming shells must be quadrilaterals",
+                   "mesh with quadrilaterals only (gmsh: Recombine Surface)");
     }
 }
 
@@ -46,13 +48,15 @@ void check_holds(const PartDescription& d)
     for (const Hold& hold : d.holds)
         for (const std::uint32_t node : hold.nodes)
             if (node >= d.mesh.nodes.size())
-                refuse(d, fmt::format("held node {} does not exist, its mesh has {} nodes", node, d.mesh.nodes.size()), "hold nodes of the mesh");
+                refuse(d, fmt::format("held node {} does not exist, its mesh has {} nodes", node, d.mesh.nodes.size()),
+                       "hold nodes of the mesh");
 }
 
 void check_thickness(const PartDescription& d)
 {
     if (!d.thicknesses.empty() && d.thicknesses.size() != d.mesh.elements.size())
-        refuse(d, fmt::format("{} thicknesses for {} elements", d.thicknesses.size(), d.mesh.elements.size()), "give one thickness an element, or one for all");
+        refuse(d, fmt::format("{} thicknesses for {} elements", d.thicknesses.size(), d.mesh.elements.size()),
+               "give one thickness an element, or one for all");
     for (std::size_t e = 0; e < d.mesh.elements.size(); ++e) {
         const double thickness = d.thicknesses.empty() ? d.thickness : d.thicknesses[e];
         if (thickness > 0 && std::isfinite(thickness)) continue;
@@ -63,8 +67,10 @@ void check_thickness(const PartDescription& d)
 void check_shell(const PartDescription& d)
 {
     if (d.points < 2 || d.points > 10)
-        refuse(d, fmt::format("{} points through the thickness", d.points), "give 3 to 10 points (2 is enough for elastic bending with Gauss points)");
-    if (!(d.shear_factor > 0 && d.shear_factor <= 1)) refuse(d, fmt::format("shear factor {}", d.shear_factor), "give a shear factor above 0 and at most 1 (5/6)");
+        refuse(d, fmt::format("{} points through the thickness", d.points),
+               "give 3 to 10 points (2 is enough for elastic bending with Gauss points)");
+    if (!(d.shear_factor > 0 && d.shear_factor <= 1))
+        refuse(d, fmt::format("shear factor {}", d.shear_factor), "give a shear factor above 0 and at most 1 (5/6)");
     check_thickness(d);
     try {
         check(d.material);
@@ -103,7 +109,9 @@ void check_rigid(const PartDescription& d, const Freedom& freedom)
     for (const MeshElement& element : d.mesh.elements)
         for (int c = 0; c < node_count(element.shape); ++c)
             if (!(freedom.translation[element.node[c]] == still))
-                refuse(d, fmt::format("a rigid part that can move is not supported, and its node at {} is free", point_text(d.mesh.nodes[element.node[c]])),
+                refuse(d,
+                       fmt::format("a rigid part that can move is not supported, and its node at {} is free",
+                                   point_text(d.mesh.nodes[element.node[c]])),
                        "hold the whole part: fix = [{ where = \"all\", dof = \"all\" }], or make it of shells");
 }
 
@@ -160,11 +168,13 @@ void connect(Structure& structure)
 {
     std::vector<std::uint32_t> node_of(structure.corner_loads.size());
     for (const Part& part : structure.parts) {
-        std::visit([&](const auto& elements) {
-            const int corners = elements.corner_count();
-            for (std::size_t e = 0; e < elements.size(); ++e)
-                for (int c = 0; c < corners; ++c) node_of[part.first_corner + e * corners + c] = elements.node(e, c);
-        }, part.elements);
+        std::visit(
+            [&](const auto& elements) {
+                const int corners = elements.corner_count();
+                for (std::size_t e = 0; e < elements.size(); ++e)
+                    for (int c = 0; c < corners; ++c) node_of[part.first_corner + e * corners + c] = elements.node(e, c);
+            },
+            part.elements);
     }
     structure.corner_begin.assign(structure.nodes.size() + 1, 0);
     for (const std::uint32_t node : node_of) ++structure.corner_begin[node];
@@ -202,10 +212,12 @@ Part& add_part(Structure& structure, const PartDescription& d)
         part.elements = RigidFacets(elements);
     else
         part.elements = make_shells(d, elements, structure.nodes);
-    std::visit([&](const auto& e) {
-        e.add_masses(structure.nodes);
-        structure.corner_loads.resize(structure.corner_loads.size() + e.size() * e.corner_count());
-    }, part.elements);
+    std::visit(
+        [&](const auto& e) {
+            e.add_masses(structure.nodes);
+            structure.corner_loads.resize(structure.corner_loads.size() + e.size() * e.corner_count());
+        },
+        part.elements);
     release(structure.nodes, part, freedom, d.velocity);
     for (std::uint32_t e = 0; e < elements.size(); ++e)
         add_facets(structure, elements[e], part.first_element + e, static_cast<std::uint32_t>(structure.parts.size()));

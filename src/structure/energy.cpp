@@ -22,9 +22,9 @@ double kinetic_energy(const Nodes& nodes, std::size_t first, std::size_t count)
 
 ElementEnergy element_energy(const Part& part)
 {
-    return std::visit([](const auto& elements) {
-        return sum<ElementEnergy>(elements.size(), [&](std::size_t e) { return elements.energy(e); });
-    }, part.elements);
+    return std::visit(
+        [](const auto& elements) { return sum<ElementEnergy>(elements.size(), [&](std::size_t e) { return elements.energy(e); }); },
+        part.elements);
 }
 
 }  // namespace
@@ -51,11 +51,13 @@ StructureEnergy energy(const Structure& structure)
 
 double max_plastic_strain(const Part& part)
 {
-    return std::visit([](const auto& elements) {
-        double most = 0;
-        for (std::size_t e = 0; e < elements.size(); ++e) most = std::max(most, elements.values(e).plastic_strain);
-        return most;
-    }, part.elements);
+    return std::visit(
+        [](const auto& elements) {
+            double most = 0;
+            for (std::size_t e = 0; e < elements.size(); ++e) most = std::max(most, elements.values(e).plastic_strain);
+            return most;
+        },
+        part.elements);
 }
 
 Vector3d momentum(const Structure& structure)

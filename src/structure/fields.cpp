@@ -23,21 +23,22 @@ auto at_element(const Structure& structure, std::size_t number, const Value& val
 template <class Value>
 Field element_field(const Structure& structure, const char* name, const char* unit, const char* meaning, Value value)
 {
-    return derived_field<float>(name, unit, meaning, structure.element_count(), [&structure, value](std::size_t i) {
-        return static_cast<float>(at_element(structure, i, value));
-    });
+    return derived_field<float>(name, unit, meaning, structure.element_count(),
+                                [&structure, value](std::size_t i) { return static_cast<float>(at_element(structure, i, value)); });
 }
 
 template <class Member>
 Field value_field(const Structure& structure, const char* name, const char* unit, const char* meaning, Member member)
 {
-    return element_field(structure, name, unit, meaning, [member](const auto& elements, std::size_t e) { return elements.values(e).*member; });
+    return element_field(structure, name, unit, meaning,
+                         [member](const auto& elements, std::size_t e) { return elements.values(e).*member; });
 }
 
 template <class Member>
 Field energy_field(const Structure& structure, const char* name, const char* meaning, Member member)
 {
-    return element_field(structure, name, "J", meaning, [member](const auto& elements, std::size_t e) { return elements.energy(e).*member; });
+    return element_field(structure, name, "J", meaning,
+                         [member](const auto& elements, std::size_t e) { return elements.energy(e).*member; });
 }
 
 /// A vector of each node, shown in single precision.
@@ -51,7 +52,8 @@ Field node_field(const Structure& structure, const char* name, const char* unit,
 Field corner_field(Structure& structure)
 {
     std::vector<CornerLoad>& loads = structure.corner_loads;
-    Field field{"corner_loads", "N, N m", "force and moment of each element on each of its corners", Scalar::float64, 3, 2 * loads.size(), {}, {}};
+    Field field{
+        "corner_loads", "N, N m", "force and moment of each element on each of its corners", Scalar::float64, 3, 2 * loads.size(), {}, {}};
     field.gather = [&loads](void* out) {
         Vector3d* to = static_cast<Vector3d*>(out);
         for (const CornerLoad& load : loads) {
@@ -60,7 +62,8 @@ Field corner_field(Structure& structure)
         }
     };
     field.restore = [&loads](const void* in, std::size_t count) {
-        if (count != 2 * loads.size()) throw InputError("the saved state has another number of elements", "resume with the case it was saved from");
+        if (count != 2 * loads.size())
+            throw InputError("the saved state has another number of elements", "resume with the case it was saved from");
         const Vector3d* from = static_cast<const Vector3d*>(in);
         for (CornerLoad& load : loads) {
             load.force = *from++;
@@ -75,7 +78,8 @@ Field node_state(const char* name, const char* unit, const char* meaning, std::v
 {
     Field field = stored_field(name, unit, meaning, values);
     field.restore = [&values, take = field.restore](const void* in, std::size_t count) {
-        if (count != values.size()) throw InputError("the saved state has another number of nodes", "resume with the case it was saved from");
+        if (count != values.size())
+            throw InputError("the saved state has another number of nodes", "resume with the case it was saved from");
         take(in, count);
     };
     return field;
@@ -95,7 +99,8 @@ FieldSet node_fields(Structure& structure)
 {
     const Nodes& n = structure.nodes;
     return {"structure nodes",
-            {node_field(structure, "displacement", "m", "way from where the node was meshed", [&n](std::size_t i) { return n.position[i] - n.reference[i]; }),
+            {node_field(structure, "displacement", "m", "way from where the node was meshed",
+                        [&n](std::size_t i) { return n.position[i] - n.reference[i]; }),
              node_field(structure, "velocity", "m/s", "velocity, with impulses just received",
                         [&n](std::size_t i) { return n.contact_velocity(static_cast<std::uint32_t>(i)); }),
              node_field(structure, "angular_velocity", "rad/s", "angular velocity", [&n](std::size_t i) { return n.angular_velocity[i]; }),
@@ -117,7 +122,8 @@ FieldSet element_fields(Structure& structure)
                   energy_field(s, "plastic_work", "plastic work of the element", &ElementEnergy::plastic),
                   energy_field(s, "hourglass_energy", "energy of hourglass control of the element", &ElementEnergy::hourglass)}};
     set.fields.push_back(derived_field<std::int32_t>("part", "1", "number of the part, from 0", s.element_count(), [&s](std::size_t i) {
-        const auto after = std::upper_bound(s.parts.begin(), s.parts.end(), i, [](std::size_t n, const Part& part) { return n < part.first_element; });
+        const auto after =
+            std::upper_bound(s.parts.begin(), s.parts.end(), i, [](std::size_t n, const Part& part) { return n < part.first_element; });
         return static_cast<std::int32_t>(after - s.parts.begin() - 1);
     }));
     return set;
@@ -127,8 +133,9 @@ FieldSet state(Structure& structure)
 {
     Nodes& n = structure.nodes;
     FieldSet set{"structure",
-                 {node_state("previous", "m", "nodes at the start of the step", n.previous), node_state("position", "m", "nodes at its end", n.position),
-                  node_state("velocity", "m/s", "velocity", n.velocity), node_state("angular_velocity", "rad/s", "angular velocity", n.angular_velocity),
+                 {node_state("previous", "m", "nodes at the start of the step", n.previous),
+                  node_state("position", "m", "nodes at its end", n.position), node_state("velocity", "m/s", "velocity", n.velocity),
+                  node_state("angular_velocity", "rad/s", "angular velocity", n.angular_velocity),
                   node_state("force", "N", "internal forces", n.force), node_state("moment", "N m", "internal moments", n.moment),
                   node_state("impulse", "N s", "impulses that wait", n.impulse), corner_field(structure),
                   scalar_state("force_work", "J", "what nodal forces have added to the kinetic energy", structure.force_work)}};
@@ -144,13 +151,15 @@ std::vector<MeshElement> cells(const Structure& structure)
     std::vector<MeshElement> all;
     all.reserve(structure.element_count());
     for (const Part& part : structure.parts) {
-        std::visit([&](const auto& elements) {
-            for (std::size_t e = 0; e < elements.size(); ++e) {
-                MeshElement cell{elements.shape(e), {}};
-                for (int c = 0; c < node_count(cell.shape); ++c) cell.node[c] = elements.node(e, c);
-                all.push_back(cell);
-            }
-        }, part.elements);
+        std::visit(
+            [&](const auto& elements) {
+                for (std::size_t e = 0; e < elements.size(); ++e) {
+                    MeshElement cell{elements.shape(e), {}};
+                    for (int c = 0; c < node_count(cell.shape); ++c) cell.node[c] = elements.node(e, c);
+                    all.push_back(cell);
+                }
+            },
+            part.elements);
     }
     return all;
 }

@@ -30,10 +30,7 @@ struct Nodes {
     [[nodiscard]] NodePath path() const { return {previous, position}; }
 
     /// Velocity a contact meets: with the impulses that wait for the next accelerate. [m/s]
-    [[nodiscard]] Vector3d contact_velocity(std::uint32_t node) const
-    {
-        return velocity[node] + scaled(impulse[node], inverse_mass[node]);
-    }
+    [[nodiscard]] Vector3d contact_velocity(std::uint32_t node) const { return velocity[node] + scaled(impulse[node], inverse_mass[node]); }
 
     /// Adds nodes at rest at `places` [m], without mass and held by nothing; returns the index of the first.
     std::uint32_t add(const std::vector<Vector3d>& places);

@@ -13,7 +13,7 @@ struct Part {
     std::string name;
     Material material;
     Elements elements;
-    std::uint32_t first_node = 0;     ///< its nodes lie together
+    std::uint32_t first_node = 0;  ///< its nodes lie together
     std::uint32_t node_count = 0;
     std::uint32_t first_element = 0;  ///< its elements' numbers over all parts
     std::uint32_t first_corner = 0;   ///< where its corner loads begin

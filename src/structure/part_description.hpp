@@ -44,16 +44,16 @@ struct PartDescription {
     std::string name;
     ElementKind element = ElementKind::shell;
     Mesh mesh;
-    Material material;                      ///< not read for rigid parts
-    double thickness = 0;                   ///< of shells [m]
-    std::vector<double> thicknesses;        ///< of each element instead, if not empty [m]
-    int points = 5;                         ///< through the thickness, 2..10
+    Material material;                ///< not read for rigid parts
+    double thickness = 0;             ///< of shells [m]
+    std::vector<double> thicknesses;  ///< of each element instead, if not empty [m]
+    int points = 5;                   ///< through the thickness, 2..10
     PointRule rule = PointRule::gauss;
-    double shear_factor = 5.0 / 6.0;        ///< of transverse shear [1]
+    double shear_factor = 5.0 / 6.0;  ///< of transverse shear [1]
     HourglassControl hourglass;
     std::vector<Hold> holds;
-    Vector3d velocity;                      ///< at the start, where not held [m/s]
-    Place place;                            ///< where the part was read, for messages
+    Vector3d velocity;  ///< at the start, where not held [m/s]
+    Place place;        ///< where the part was read, for messages
 };
 
 }  // namespace corpuscle

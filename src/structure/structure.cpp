@@ -69,9 +69,12 @@ void gather_loads(Structure& structure)
 {
     const std::uint32_t node = std::visit([&](const auto& e) { return e.node(element, 0); }, part.elements);
     const Vector3d& at = structure.nodes.reference[node];
-    throw SafetyStop(fmt::format("element {} of part '{}' (as meshed near ({:.4g}, {:.4g}, {:.4g}) m) came to nothing or is no longer finite at {:.6g} s",
-                                 element + 1, part.name, at.x, at.y, at.z, time),
-                     "the load is more than this mesh can follow: look at the last state written, then refine or coarsen the mesh there, or lower the step");
+    throw SafetyStop(
+        fmt::format(
+            "element {} of part '{}' (as meshed near ({:.4g}, {:.4g}, {:.4g}) m) came to nothing or is no longer finite at {:.6g} s",
+            element + 1, part.name, at.x, at.y, at.z, time),
+        "the load is more than this mesh can follow: look at the last state written, then refine or coarsen the mesh there, or lower the "
+        "step");
 }
 
 }  // namespace
@@ -80,7 +83,8 @@ double stable_step(const Structure& structure)
 {
     constexpr double safety = 0.9;
     double least = std::numeric_limits<double>::infinity();
-    for (const Part& part : structure.parts) least = std::min(least, std::visit([](const auto& e) { return e.stable_step(); }, part.elements));
+    for (const Part& part : structure.parts)
+        least = std::min(least, std::visit([](const auto& e) { return e.stable_step(); }, part.elements));
     return safety * least;
 }
 
@@ -88,10 +92,13 @@ void resist(Structure& structure, const Clock& clock)
 {
     if (structure.parts.empty() || !(clock.duration() > 0)) return;
     for (Part& part : structure.parts) {
-        const std::size_t wrong = std::visit([&](auto& elements) {
-            const std::span<CornerLoad> loads(structure.corner_loads.data() + part.first_corner, elements.size() * elements.corner_count());
-            return elements.resist(structure.nodes, clock.duration(), loads);
-        }, part.elements);
+        const std::size_t wrong = std::visit(
+            [&](auto& elements) {
+                const std::span<CornerLoad> loads(structure.corner_loads.data() + part.first_corner,
+                                                  elements.size() * elements.corner_count());
+                return elements.resist(structure.nodes, clock.duration(), loads);
+            },
+            part.elements);
         if (wrong != part.element_count()) stop_at(structure, part, wrong, clock.end());
     }
     gather_loads(structure);
@@ -101,9 +108,8 @@ std::vector<Transfer> accelerate(Structure& structure, const Clock& clock)
 {
     if (structure.parts.empty()) return {};
     const double force_time = 0.5 * (clock.previous_duration() + clock.duration());
-    const NodeSums sums = sum<NodeSums>(structure.nodes.size(), [&](std::size_t i) {
-        return move_node(structure.nodes, i, force_time, clock.duration());
-    });
+    const NodeSums sums =
+        sum<NodeSums>(structure.nodes.size(), [&](std::size_t i) { return move_node(structure.nodes, i, force_time, clock.duration()); });
     structure.force_work += sums.work;
     return {Transfer{"support", "structure", 0.0, sums.support, 0.0}};
 }

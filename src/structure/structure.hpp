@@ -23,7 +23,10 @@ struct Structure {
     std::vector<std::uint32_t> corners;       ///< the corner loads each node gathers
     double force_work = 0;                    ///< what nodal forces and moments have added to the kinetic energy [J]
 
-    [[nodiscard]] std::size_t element_count() const { return parts.empty() ? 0 : parts.back().first_element + parts.back().element_count(); }
+    [[nodiscard]] std::size_t element_count() const
+    {
+        return parts.empty() ? 0 : parts.back().first_element + parts.back().element_count();
+    }
 };
 
 /// Longest step central difference may take now: 0.9 of the smallest element transit (2 / highest frequency of any element:

@@ -30,7 +30,8 @@ struct BilinearPlastic {
 
     /// New stress, back stress and plastic strain of the point after the strain increment `strain` within `duration` [s] > 0.
     template <class Real>
-    PlaneResponse<Real> stretch(const PlaneStiffness& stiffness, PlanePoint<Real>& point, const PlaneStrain<Real>& strain, double duration) const
+    PlaneResponse<Real> stretch(const PlaneStiffness& stiffness, PlanePoint<Real>& point, const PlaneStrain<Real>& strain,
+                                double duration) const
     {
         const PlaneStress<Real> before = point.stress;
         point.stress = stiffness.stretched(before, strain);
@@ -147,7 +148,8 @@ private:
         const PlaneStress<Real> now{0.5 * (sum + gap), 0.5 * (sum - gap), r.xy * shrink, r.yz * shrink, r.zx * shrink};
         const Real drag = back_modulus() * flow;
         PlaneStress<Real>& back = point.back_stress;
-        back = {back.xx + drag * now.xx, back.yy + drag * now.yy, back.xy + drag * now.xy, back.yz + drag * now.yz, back.zx + drag * now.zx};
+        back = {back.xx + drag * now.xx, back.yy + drag * now.yy, back.xy + drag * now.xy, back.yz + drag * now.yz,
+                back.zx + drag * now.zx};
         point.stress = {now.xx + back.xx, now.yy + back.yy, now.xy + back.xy, now.yz + back.yz, now.zx + back.zx};
         point.plastic_strain = point.plastic_strain + state.plastic;
         return now;
@@ -157,8 +159,8 @@ private:
     template <class Real>
     static PlaneStrain<Real> plastic_strain_of(const Real& flow, const PlaneStress<Real>& r)
     {
-        return {flow * (2.0 * r.xx - r.yy) * (1.0 / 3.0), flow * (2.0 * r.yy - r.xx) * (1.0 / 3.0), 2.0 * flow * r.xy,
-                2.0 * flow * r.yz, 2.0 * flow * r.zx};
+        return {flow * (2.0 * r.xx - r.yy) * (1.0 / 3.0), flow * (2.0 * r.yy - r.xx) * (1.0 / 3.0), 2.0 * flow * r.xy, 2.0 * flow * r.yz,
+                2.0 * flow * r.zx};
     }
 
     template <class Real>

@@ -27,7 +27,9 @@ Real von_mises(const PlaneStress<Real>& s)
 class PlaneStiffness {
 public:
     PlaneStiffness(double young_modulus, double poisson_ratio)
-        : young_(young_modulus), poisson_(poisson_ratio), plane_(young_modulus / (1.0 - poisson_ratio * poisson_ratio)),
+        : young_(young_modulus),
+          poisson_(poisson_ratio),
+          plane_(young_modulus / (1.0 - poisson_ratio * poisson_ratio)),
           shear_(young_modulus / (2.0 * (1.0 + poisson_ratio)))
     {
     }

@@ -11,11 +11,11 @@ namespace corpuscle {
 template <class Real>
 struct QuadFrame {
     Vector3<Real> first, second, normal;
-    Real sx, sy;      ///< midline s, from edge 4-1 to edge 2-3 [m]
-    Real tx, ty;      ///< midline t, from edge 1-2 to edge 3-4 [m]
-    Real gx, gy;      ///< twist of the corners in the plane [m]
-    Real warp;        ///< and out of it [m]
-    Real area;        ///< of the projection [m2]
+    Real sx, sy;  ///< midline s, from edge 4-1 to edge 2-3 [m]
+    Real tx, ty;  ///< midline t, from edge 1-2 to edge 3-4 [m]
+    Real gx, gy;  ///< twist of the corners in the plane [m]
+    Real warp;    ///< and out of it [m]
+    Real area;    ///< of the projection [m2]
     Real inverse_area;
 
     [[nodiscard]] Vector3<Real> to_local(const Vector3<Real>& v) const { return {dot(v, first), dot(v, second), dot(v, normal)}; }

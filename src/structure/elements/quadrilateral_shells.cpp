@@ -100,7 +100,8 @@ LaneModes halfway(const LaneModes& end, const LaneModes& move)
 /// Work of the mean of old and new modal loads on a motion; keeps the new ones. Forces have no mean mode.
 Lanes exchange_work(double* own, const ShellLoad<Lanes>& load, const LaneModes& move, const LaneModes& turn)
 {
-    const Vector3<Lanes>* loads[] = {&load.force.s, &load.force.t, &load.force.twist, &load.moment.mean, &load.moment.s, &load.moment.t, &load.moment.twist};
+    const Vector3<Lanes>* loads[] = {&load.force.s,  &load.force.t,  &load.force.twist, &load.moment.mean,
+                                     &load.moment.s, &load.moment.t, &load.moment.twist};
     const Vector3<Lanes>* moves[] = {&move.s, &move.t, &move.twist, &turn.mean, &turn.s, &turn.t, &turn.twist};
     Lanes twice = 0.0;
     for (int i = 0; i < 7; ++i) {
@@ -145,11 +146,17 @@ QuadFrame<double> reference_frame(const std::array<std::uint32_t, 4>& corners, c
 }  // namespace
 
 QuadrilateralShells::QuadrilateralShells(ShellInput input, const Material& material, const Nodes& nodes)
-    : corners_(std::move(input.corners)), size_(corners_.size()), points_(std::move(input.points)), strength_(material.strength),
-      stiffness_(material.young_modulus, material.poisson_ratio), density_(material.density), shear_factor_(input.shear_factor),
+    : corners_(std::move(input.corners)),
+      size_(corners_.size()),
+      points_(std::move(input.points)),
+      strength_(material.strength),
+      stiffness_(material.young_modulus, material.poisson_ratio),
+      density_(material.density),
+      shear_factor_(input.shear_factor),
       hourglass_(input.hourglass)
 {
-    point_slots_ = std::visit([](const auto& law) { return stress_slots + (law.yields() ? 1 : 0) + (law.has_back_stress() ? stress_slots : 0); }, strength_);
+    point_slots_ = std::visit(
+        [](const auto& law) { return stress_slots + (law.yields() ? 1 : 0) + (law.has_back_stress() ? stress_slots : 0); }, strength_);
     slots_ = slot_points + point_slots_ * point_count();
     while (corners_.size() % lane_count != 0) {
         corners_.push_back(corners_[size_ - 1]);
@@ -183,9 +190,9 @@ void QuadrilateralShells::add_masses(Nodes& nodes) const
 
 std::size_t QuadrilateralShells::resist(const Nodes& nodes, double duration, std::span<CornerLoad> loads)
 {
-    std::visit([&](const auto& law) {
-        for_each_dynamic(block_count(), 16, [&](std::size_t b) { resist_block(law, nodes, duration, b, loads); });
-    }, strength_);
+    std::visit(
+        [&](const auto& law) { for_each_dynamic(block_count(), 32, [&](std::size_t b) { resist_block(law, nodes, duration, b, loads); }); },
+        strength_);
     return review();
 }
 
@@ -208,7 +215,8 @@ void QuadrilateralShells::resist_block(const Law& law, const Nodes& nodes, doubl
     const ShellHourglass<Lanes> hourglass = resist_hourglass(middle, hourglass_of(middle, local_move, local_turn), duration, own);
 
     const LaneFrame frame = frame_of(end);
-    for (Lanes* r : {&result.xx, &result.yy, &result.xy, &result.bend_xx, &result.bend_yy, &result.bend_xy, &result.zx, &result.yz}) *r = *r * frame.area;
+    for (Lanes* r : {&result.xx, &result.yy, &result.xy, &result.bend_xx, &result.bend_yy, &result.bend_xy, &result.zx, &result.yz})
+        *r = *r * frame.area;
     const ShellLoad<Lanes> local = load_of(frame, result, hourglass);
     const ShellLoad<Lanes> load{frame.to_global(local.force), frame.to_global(local.moment)};
     const Lanes total = load_slot(own, slot_work) + exchange_work(own, load, move, turn);
@@ -258,7 +266,8 @@ ShellResultant<Lanes> QuadrilateralShells::stress_points(const Law& law, const S
     store_slot(own, slot_thickness, now);
     if constexpr (Law::yields()) store_slot(own, slot_plastic_work, plastic_work);
     const Lanes lever = half * half, shear = half * shear_factor_;
-    return {sum.xx * half, sum.yy * half, sum.xy * half, sum.bend_xx * lever, sum.bend_yy * lever, sum.bend_xy * lever, sum.zx * shear, sum.yz * shear};
+    return {sum.xx * half,       sum.yy * half,       sum.xy * half,  sum.bend_xx * lever,
+            sum.bend_yy * lever, sum.bend_xy * lever, sum.zx * shear, sum.yz * shear};
 }
 
 /// Forces against the hourglass modes: elastic ones that remember, and viscous ones; counts their work.
@@ -273,7 +282,8 @@ ShellHourglass<Lanes> QuadrilateralShells::resist_hourglass(const QuadFrame<Lane
     const Lanes membrane = hourglass_.membrane * stretch, bending = hourglass_.bending * stretch * turn_lever;
     const double damping = hourglass_.viscosity * std::sqrt(density_ * stiffness_.plane()) / duration;
     const Lanes viscous = damping * thickness * square_root(f.area), viscous_turn = viscous * turn_lever;
-    const Lanes stiffnesses[] = {membrane, membrane, bending, bending, shear * (f.tx * f.tx + f.ty * f.ty), shear * (f.sx * f.sx + f.sy * f.sy)};
+    const Lanes stiffnesses[] = {
+        membrane, membrane, bending, bending, shear * (f.tx * f.tx + f.ty * f.ty), shear * (f.sx * f.sx + f.sy * f.sy)};
     const Lanes viscosities[] = {viscous, viscous, viscous_turn, viscous_turn, viscous, viscous};
     const Lanes* changes[] = {&change.stretch_x, &change.stretch_y, &change.turn_x, &change.turn_y, &change.shear_s, &change.shear_t};
     Lanes forces[6];
@@ -300,7 +310,8 @@ Lanes QuadrilateralShells::transit(const QuadFrame<Lanes>& f, const double* own)
 }
 
 /// Loads on the nodes are opposite to those on the element.
-void QuadrilateralShells::write_loads(std::size_t b, const LaneCorners& forces, const LaneCorners& moments, std::span<CornerLoad> loads) const
+void QuadrilateralShells::write_loads(std::size_t b, const LaneCorners& forces, const LaneCorners& moments,
+                                      std::span<CornerLoad> loads) const
 {
     alignas(64) double side[6][lane_count];
     const std::size_t first = b * lane_count, lanes = std::min<std::size_t>(lane_count, size_ - first);
@@ -309,7 +320,8 @@ void QuadrilateralShells::write_loads(std::size_t b, const LaneCorners& forces, 
         const Lanes* parts[] = {&f.x, &f.y, &f.z, &m.x, &m.y, &m.z};
         for (int i = 0; i < 6; ++i) store_lanes(-*parts[i], side[i]);
         for (std::size_t lane = 0; lane < lanes; ++lane)
-            loads[4 * (first + lane) + corner] = {{side[0][lane], side[1][lane], side[2][lane]}, {side[3][lane], side[4][lane], side[5][lane]}};
+            loads[4 * (first + lane) + corner] = {{side[0][lane], side[1][lane], side[2][lane]},
+                                                  {side[3][lane], side[4][lane], side[5][lane]}};
     }
 }
 
@@ -333,7 +345,8 @@ PlanePoint<double> QuadrilateralShells::point(std::size_t element, int p) const
 {
     const int first = slot_points + p * point_slots_;
     const auto stress_at = [&](int s) {
-        return PlaneStress<double>{slot(element, s), slot(element, s + 1), slot(element, s + 2), slot(element, s + 3), slot(element, s + 4)};
+        return PlaneStress<double>{slot(element, s), slot(element, s + 1), slot(element, s + 2), slot(element, s + 3),
+                                   slot(element, s + 4)};
     };
     PlanePoint<double> result;
     result.stress = stress_at(first);
@@ -375,7 +388,8 @@ std::vector<double> QuadrilateralShells::elementwise() const
 void QuadrilateralShells::take_elementwise(std::span<const double> values)
 {
     for (std::size_t e = 0; e < corners_.size(); ++e)
-        for (int s = 0; s < slots_; ++s) block(e / lane_count)[s * lane_count + e % lane_count] = values[std::min(e, size_ - 1) * slots_ + s];
+        for (int s = 0; s < slots_; ++s)
+            block(e / lane_count)[s * lane_count + e % lane_count] = values[std::min(e, size_ - 1) * slots_ + s];
 }
 
 std::vector<Field> QuadrilateralShells::state(const std::string& prefix)
@@ -386,7 +400,8 @@ std::vector<Field> QuadrilateralShells::state(const std::string& prefix)
         std::copy(values.begin(), values.end(), static_cast<double*>(out));
     };
     shells.restore = [this](const void* in, std::size_t count) {
-        if (count != size_ * slots_) throw InputError("the saved state has other shells than this model", "resume with the case it was saved from");
+        if (count != size_ * slots_)
+            throw InputError("the saved state has other shells than this model", "resume with the case it was saved from");
         take_elementwise({static_cast<const double*>(in), count});
     };
     Field step{prefix + "shell_step", "s", "smallest transit of an element", Scalar::float64, 1, 1, {}, {}};

@@ -63,7 +63,10 @@ private:
     [[nodiscard]] double* block(std::size_t b) { return data_.data() + b * block_size(); }
     [[nodiscard]] const double* block(std::size_t b) const { return data_.data() + b * block_size(); }
     [[nodiscard]] std::size_t block_size() const { return static_cast<std::size_t>(slots_) * lane_count; }
-    [[nodiscard]] double slot(std::size_t element, int s) const { return block(element / lane_count)[s * lane_count + element % lane_count]; }
+    [[nodiscard]] double slot(std::size_t element, int s) const
+    {
+        return block(element / lane_count)[s * lane_count + element % lane_count];
+    }
     [[nodiscard]] std::vector<double> elementwise() const;
     void take_elementwise(std::span<const double> values);
 
@@ -71,7 +74,8 @@ private:
     void resist_block(const Law& law, const Nodes& nodes, double duration, std::size_t b, std::span<CornerLoad> loads);
     template <class Law>
     ShellResultant<Lanes> stress_points(const Law& law, const ShellStrain<Lanes>& strain, double duration, double* own);
-    ShellHourglass<Lanes> resist_hourglass(const QuadFrame<Lanes>& frame, const ShellHourglass<Lanes>& change, double duration, double* own) const;
+    ShellHourglass<Lanes> resist_hourglass(const QuadFrame<Lanes>& frame, const ShellHourglass<Lanes>& change, double duration,
+                                           double* own) const;
     [[nodiscard]] Lanes transit(const QuadFrame<Lanes>& frame, const double* own) const;
     void write_loads(std::size_t b, const QuadCorners<Lanes>& forces, const QuadCorners<Lanes>& moments, std::span<CornerLoad> loads) const;
     std::size_t review();

@@ -55,7 +55,8 @@ TEST(Builder, RefusesNonsenseByPartAndElement)
     EXPECT_THAT(refusal([](D& d) { d.mesh.elements[2].shape = ElementShape::triangle; }), HasSubstr("is a triangle"));
     EXPECT_THAT(refusal([](D& d) { d.thickness = 0; }), HasSubstr("element 1"));
     EXPECT_THAT(refusal([](D& d) { d.thickness = 0; }), HasSubstr("no mass"));
-    EXPECT_THAT(refusal([](D& d) { d.thicknesses = {0.01, 0.01, std::numeric_limits<double>::quiet_NaN(), 0.01}; }), HasSubstr("element 3"));
+    EXPECT_THAT(refusal([](D& d) { d.thicknesses = {0.01, 0.01, std::numeric_limits<double>::quiet_NaN(), 0.01}; }),
+                HasSubstr("element 3"));
     EXPECT_THAT(refusal([](D& d) { d.thicknesses = {0.01}; }), HasSubstr("1 thicknesses for 4 elements"));
     EXPECT_THAT(refusal([](D& d) { d.points = 1; }), HasSubstr("1 points"));
     EXPECT_THAT(refusal([](D& d) { d.points = 11; }), HasSubstr("11 points"));
@@ -63,7 +64,11 @@ TEST(Builder, RefusesNonsenseByPartAndElement)
     EXPECT_THAT(refusal([](D& d) { d.holds = {clamp({9})}; }), HasSubstr("held node 9 does not exist"));
     EXPECT_THAT(refusal([](D&) {}, 1), HasSubstr("already a part of this name"));
     EXPECT_THAT(refusal([](D& d) { d.element = ElementKind::rigid; }), HasSubstr("rigid part that can move"));
-    EXPECT_THAT(refusal([](D& d) { d.element = ElementKind::rigid; d.holds = {clamp({0, 1, 2, 3, 4, 5, 6, 7})}; }), HasSubstr("is free"));
+    EXPECT_THAT(refusal([](D& d) {
+                    d.element = ElementKind::rigid;
+                    d.holds = {clamp({0, 1, 2, 3, 4, 5, 6, 7})};
+                }),
+                HasSubstr("is free"));
 }
 
 TEST(Builder, MassesAddUpToThePart)

@@ -32,7 +32,8 @@ inline Mesh square_mesh(int n, double side, double crook = 0.0)
     }
     const auto at = [n](int i, int j) { return static_cast<std::uint32_t>(j * (n + 1) + i); };
     for (int j = 0; j < n; ++j)
-        for (int i = 0; i < n; ++i) mesh.elements.push_back({ElementShape::quadrilateral, {at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)}});
+        for (int i = 0; i < n; ++i)
+            mesh.elements.push_back({ElementShape::quadrilateral, {at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)}});
     return mesh;
 }
 
@@ -51,7 +52,8 @@ inline double work_in_transit(const Structure& structure, double duration)
 {
     const Nodes& n = structure.nodes;
     double work = 0;
-    for (std::size_t i = 0; i < n.size(); ++i) work += 0.5 * duration * (dot(n.force[i], n.velocity[i]) + dot(n.moment[i], n.angular_velocity[i]));
+    for (std::size_t i = 0; i < n.size(); ++i)
+        work += 0.5 * duration * (dot(n.force[i], n.velocity[i]) + dot(n.moment[i], n.angular_velocity[i]));
     return work;
 }
 

@@ -84,7 +84,8 @@ TEST(ShellStrain, LoadsAreItsTranspose)
         const ShellLoad<double> load = load_of(f, r, h);
         const ShellStrain<double> e = strain_of(f, move, turn);
         const ShellHourglass<double> q = hourglass_of(f, move, turn);
-        double expected = r.xx * e.xx + r.yy * e.yy + r.xy * e.xy + r.bend_xx * e.bend_xx + r.bend_yy * e.bend_yy + r.bend_xy * e.bend_xy + r.zx * e.zx + r.yz * e.yz;
+        double expected = r.xx * e.xx + r.yy * e.yy + r.xy * e.xy + r.bend_xx * e.bend_xx + r.bend_yy * e.bend_yy + r.bend_xy * e.bend_xy +
+                          r.zx * e.zx + r.yz * e.yz;
         for (std::size_t k = 0; k < 6; ++k) expected += numbers(h)[k] * numbers(q)[k];
         EXPECT_NEAR(work(load.force, move) + work(load.moment, turn), expected, 1e-12);
     }

@@ -68,7 +68,8 @@ TEST(Motion, LargeRotationLeavesNoStress)
 Vector3d angular_momentum(const Nodes& n)
 {
     Vector3d total;
-    for (std::size_t i = 0; i < n.size(); ++i) total += n.mass[i] * cross(n.position[i], n.velocity[i]) + n.inertia[i] * n.angular_velocity[i];
+    for (std::size_t i = 0; i < n.size(); ++i)
+        total += n.mass[i] * cross(n.position[i], n.velocity[i]) + n.inertia[i] * n.angular_velocity[i];
     return total;
 }
 
@@ -117,7 +118,8 @@ int free_modes(const HourglassControl& hourglass)
         for (int i = 0; i < 4; ++i) n.position[i] += 0.5 * n.velocity[i];  // read the loads in the middle of the step
         resist(structure, clock);
         for (int i = 0; i < size; ++i)
-            stiffness[i][j] = -(i < 12 ? n.force[i / 3][i % 3] * length : n.moment[(i - 12) / 3][i % 3]) / (small * 212e9 * length * length * length);
+            stiffness[i][j] =
+                -(i < 12 ? n.force[i / 3][i % 3] * length : n.moment[(i - 12) / 3][i % 3]) / (small * 212e9 * length * length * length);
     }
     int rank = 0;
     bool used[size] = {};
@@ -139,7 +141,7 @@ int free_modes(const HourglassControl& hourglass)
 
 TEST(Motion, OnlyRigidAndDrillingModesAreFree)
 {
-    EXPECT_EQ(free_modes({}), 6 + 4);                    // rigid motion, and turning of each node about the normal
+    EXPECT_EQ(free_modes({}), 6 + 4);                     // rigid motion, and turning of each node about the normal
     EXPECT_EQ(free_modes({0.0, 0.0, 0.0, 0.0}), 10 + 6);  // what hourglass control is for
     EXPECT_EQ(free_modes({0.05, 0.05, 0.0, 0.0}), 10 + 2);
 }

@@ -49,11 +49,13 @@ const double plane = 212e9 / (1.0 - 0.28 * 0.28), shear = 212e9 / 2.56;
 
 TEST(Patch, MembraneStressIsConstantOnADistortedMesh)
 {
-    const Structure s = deformed([](const Vector3d& x) { return rate * Vector3d{x.x + 0.5 * x.y, 0.3 * x.y + 0.2 * x.x, 0.0}; }, [](const Vector3d&) { return Vector3d{}; });
+    const Structure s = deformed([](const Vector3d& x) { return rate * Vector3d{x.x + 0.5 * x.y, 0.3 * x.y + 0.2 * x.x, 0.0}; },
+                                 [](const Vector3d&) { return Vector3d{}; });
     const double sum = plane * rate * 1.28 * 1.3, gap = plane * rate * 0.72 * 0.7, tangent = shear * rate * 0.7;
     for (std::size_t e = 0; e < s.element_count(); ++e) {
         for (int p = 0; p < 5; ++p) {
-            const PlaneStress<double> stress = shells(s).point(e, p).stress;  // in axes of the element: compare what does not depend on them
+            const PlaneStress<double> stress =
+                shells(s).point(e, p).stress;  // in axes of the element: compare what does not depend on them
             const double radius = std::hypot(0.5 * (stress.xx - stress.yy), stress.xy);
             EXPECT_NEAR(stress.xx + stress.yy, sum, 1e-5 * sum);
             EXPECT_NEAR(radius, std::hypot(0.5 * gap, tangent), 1e-5 * sum);
@@ -67,12 +69,15 @@ TEST(Patch, MembraneStressIsConstantOnADistortedMesh)
 TEST(Patch, BendingMomentIsConstantOnADistortedMeshWithoutShear)
 {
     const double a = 1.0, b = 0.4, c = 0.3;  // w = (a x^2 + b y^2) / 2 + c x y, turned by its own slope
-    const Structure s = deformed([=](const Vector3d& x) { return rate * Vector3d{0.0, 0.0, 0.5 * a * x.x * x.x + 0.5 * b * x.y * x.y + c * x.x * x.y}; },
-                                 [=](const Vector3d& x) { return rate * Vector3d{b * x.y + c * x.x, -a * x.x - c * x.y, 0.0}; });
+    const Structure s =
+        deformed([=](const Vector3d& x) { return rate * Vector3d{0.0, 0.0, 0.5 * a * x.x * x.x + 0.5 * b * x.y * x.y + c * x.x * x.y}; },
+                 [=](const Vector3d& x) { return rate * Vector3d{b * x.y + c * x.x, -a * x.x - c * x.y, 0.0}; });
     const double height = 0.5 * thickness * 0.906179845938664;  // of the outermost of five Gauss points
-    const double sum = plane * rate * height * 1.28 * (a + b), radius = std::hypot(0.5 * plane * 0.72 * (a - b), shear * 2.0 * c) * rate * height;
+    const double sum = plane * rate * height * 1.28 * (a + b),
+                 radius = std::hypot(0.5 * plane * 0.72 * (a - b), shear * 2.0 * c) * rate * height;
     for (std::size_t e = 0; e < s.element_count(); ++e) {
-        const PlaneStress<double> low = shells(s).point(e, 0).stress, middle = shells(s).point(e, 2).stress, up = shells(s).point(e, 4).stress;
+        const PlaneStress<double> low = shells(s).point(e, 0).stress, middle = shells(s).point(e, 2).stress,
+                                  up = shells(s).point(e, 4).stress;
         EXPECT_NEAR(up.xx + up.yy, -sum, 1e-5 * sum);
         EXPECT_NEAR(low.xx + low.yy, sum, 1e-5 * sum);
         EXPECT_NEAR(std::hypot(0.5 * (up.xx - up.yy), up.xy), radius, 1e-5 * sum);
@@ -85,7 +90,8 @@ TEST(Patch, BendingMomentIsConstantOnADistortedMeshWithoutShear)
 
 TEST(Patch, TransverseShearIsConstant)
 {
-    const Structure s = deformed([](const Vector3d& x) { return rate * Vector3d{0.0, 0.0, 0.5 * x.x - 0.2 * x.y}; }, [](const Vector3d&) { return Vector3d{}; });
+    const Structure s = deformed([](const Vector3d& x) { return rate * Vector3d{0.0, 0.0, 0.5 * x.x - 0.2 * x.y}; },
+                                 [](const Vector3d&) { return Vector3d{}; });
     for (std::size_t e = 0; e < s.element_count(); ++e) {
         const PlaneStress<double> stress = shells(s).point(e, 2).stress;
         EXPECT_NEAR(std::hypot(stress.zx, stress.yz), shear * rate * std::hypot(0.5, 0.2), 1e-5 * shear * rate);

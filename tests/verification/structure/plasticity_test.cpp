@@ -78,8 +78,8 @@ TEST(Plasticity, EnergyOfAThrownPlateIsAllFound)
         ASSERT_NEAR(e.total(), start, 1e-10 * start);
     }
     const StructureEnergy e = energy(structure);
-    std::printf("energy gained or lost by the change of the step: %.2e of the start; plastic %.3f, hourglass %.4f\n", drift / start, e.plastic / start,
-                e.hourglass / start);
+    std::printf("energy gained or lost by the change of the step: %.2e of the start; plastic %.3f, hourglass %.4f\n", drift / start,
+                e.plastic / start, e.hourglass / start);
     EXPECT_LT(drift, 1e-4 * start);
     EXPECT_GT(e.plastic, 0.3 * start);
     EXPECT_GT(elastic_least, -1e-3 * start);

@@ -67,7 +67,8 @@ TEST(BilinearPlastic, StressFollowsCowperAndSymonds)
         const double plastic_rate = (point.plastic_strain - before) / duration;
         const double hardening = 6500e6 * (1.0 + std::pow(plastic_rate / 300.0, 0.2));  // the rest of the strain is elastic
         EXPECT_NEAR(plastic_rate * (1.0 + hardening / steel.young()), rate, 1e-4 * rate);
-        EXPECT_NEAR(point.stress.xx, (1200e6 + 6500e6 * point.plastic_strain) * (1.0 + std::pow(plastic_rate / 300.0, 0.2)), 1e-7 * point.stress.xx);
+        EXPECT_NEAR(point.stress.xx, (1200e6 + 6500e6 * point.plastic_strain) * (1.0 + std::pow(plastic_rate / 300.0, 0.2)),
+                    1e-7 * point.stress.xx);
         EXPECT_NEAR(point.stress.xx, armour.yield_at(point.plastic_strain, plastic_rate), 1e-7 * point.stress.xx);
     }
 }
@@ -107,7 +108,9 @@ Solid solid_step(const BilinearPlastic& law, const Solid& start, const Tensor& s
     Tensor relative;
     for (int i = 0; i < 6; ++i) relative[i] = now.stress[i] - start.back[i];
     const double trial = equivalent(relative), back_modulus = law.kinematic_fraction * law.hardening_modulus;
-    const auto excess = [&](double p) { return trial - (3.0 * g + back_modulus) * p - law.yield_at(start.plastic_strain + p, p / duration); };
+    const auto excess = [&](double p) {
+        return trial - (3.0 * g + back_modulus) * p - law.yield_at(start.plastic_strain + p, p / duration);
+    };
     if (excess(0.0) <= 0) return now;
     double low = 0, high = trial / (3.0 * g);
     for (int i = 0; i < 200; ++i) (excess(0.5 * (low + high)) > 0 ? low : high) = 0.5 * (low + high);
@@ -160,16 +163,18 @@ TEST_P(PlaneStressAgainstSolid, GivesTheSameStressAndThickness)
 }
 
 INSTANTIATE_TEST_SUITE_P(Laws, PlaneStressAgainstSolid,
-                         testing::Values(BilinearPlastic{1200e6, 6500e6, 0, 1, 0}, BilinearPlastic{1200e6, 0, 0, 1, 0}, BilinearPlastic{400e6, 9000e6, 0, 1, 1.0},
-                                         BilinearPlastic{400e6, 9000e6, 0, 1, 0.4}, BilinearPlastic{1200e6, 6500e6, 300, 5, 0},
-                                         BilinearPlastic{300e6, 500e6, 40.4, 4.7, 0.3}, BilinearPlastic{300e6, 500e6, 40.4, 1, 0}));
+                         testing::Values(BilinearPlastic{1200e6, 6500e6, 0, 1, 0}, BilinearPlastic{1200e6, 0, 0, 1, 0},
+                                         BilinearPlastic{400e6, 9000e6, 0, 1, 1.0}, BilinearPlastic{400e6, 9000e6, 0, 1, 0.4},
+                                         BilinearPlastic{1200e6, 6500e6, 300, 5, 0}, BilinearPlastic{300e6, 500e6, 40.4, 4.7, 0.3},
+                                         BilinearPlastic{300e6, 500e6, 40.4, 1, 0}));
 
 TEST(BilinearPlastic, OneLargeStepStillMeetsTheYieldCondition)
 {
     for (const double duration : {1e-7, 1e-3, 10.0}) {
         PlanePoint<double> point;
         armour.stretch(steel, point, PlaneStrain<double>{0.08, -0.03, 0.05, 0.02, 0.01}, duration);
-        EXPECT_NEAR(von_mises(point.stress) / armour.yield_at(point.plastic_strain, point.plastic_strain / duration), 1.0, 1e-8) << duration;
+        EXPECT_NEAR(von_mises(point.stress) / armour.yield_at(point.plastic_strain, point.plastic_strain / duration), 1.0, 1e-8)
+            << duration;
     }
 }
 
@@ -183,10 +188,12 @@ TEST(BilinearPlastic, LanesGiveTheSameAsSingleNumbers)
         double values[5][lane_count];
         for (auto& row : values)
             for (double& value : row) value = strain(random);
-        const PlaneStrain<Lanes> e{load_lanes(values[0]), load_lanes(values[1]), load_lanes(values[2]), load_lanes(values[3]), load_lanes(values[4])};
+        const PlaneStrain<Lanes> e{load_lanes(values[0]), load_lanes(values[1]), load_lanes(values[2]), load_lanes(values[3]),
+                                   load_lanes(values[4])};
         armour.stretch(steel, side, e, 1e-6);
         for (int lane = 0; lane < lane_count; ++lane) {
-            armour.stretch(steel, single[lane], PlaneStrain<double>{values[0][lane], values[1][lane], values[2][lane], values[3][lane], values[4][lane]}, 1e-6);
+            armour.stretch(steel, single[lane],
+                           PlaneStrain<double>{values[0][lane], values[1][lane], values[2][lane], values[3][lane], values[4][lane]}, 1e-6);
             EXPECT_NEAR(side.stress.xx[lane], single[lane].stress.xx, 1e-9 * 1200e6);
             EXPECT_NEAR(side.plastic_strain[lane], single[lane].plastic_strain, 1e-12);
         }
