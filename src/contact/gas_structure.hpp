@@ -32,7 +32,7 @@ public:
     std::vector<Transfer> apply(const Clock& clock) override;
 
     /// Impulse each facet has got since the start, from both sides together [N s], and how many hits.
-    [[nodiscard]] const std::vector<Vector3d>& facet_impulse() const { return facet_impulse_; }
+    [[nodiscard]] const std::vector<Vector3d>& facet_impulse() const override { return facet_impulse_; }
     [[nodiscard]] const std::vector<std::uint64_t>& facet_hits() const { return facet_hits_; }
     /// Particles that were squeezed where no free place was left since this was made: 0 in a sound run.
     [[nodiscard]] std::uint64_t trapped() const { return trapped_; }
