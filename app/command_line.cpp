@@ -51,6 +51,18 @@ private:
 
     void add_case_commands()
     {
+        CLI::App* run = add("run", "Simulate a case", run_command);
+        run->add_option("case", options_.subject, "The case (.toml)")->required();
+        run->add_option("--out", options_.out, "Folder for the results (default: results/<name of the case>)");
+        run->add_flag("--force", options_.force, "Replace the results of an earlier run");
+        run->add_flag("--quiet", options_.quiet, "No progress, no tables");
+        add_settings(run);
+        CLI::App* resume = add("resume", "Go on with an interrupted run", resume_command);
+        resume->add_option("folder", options_.subject, "Its folder of results")->required();
+        resume->add_flag("--quiet", options_.quiet, "No progress, no tables");
+        add_threads(resume);
+        CLI::App* report = add("report", "Make report.html again", report_command);
+        report->add_option("folder", options_.subject, "A folder of results")->required();
         CLI::App* check = add("check", "Everything but the steps: masses, counts, memory, expected time, warnings", check_command);
         check->add_option("case", options_.subject, "The case (.toml)")->required();
         add_settings(check);
@@ -59,6 +71,11 @@ private:
     void add_settings(CLI::App* sub)
     {
         sub->add_option("--set", options_.settings, "Change a value: key=value, such as charge.0.mass=\"20 kg\"")->allow_extra_args(false)->take_all();
+        add_threads(sub);
+    }
+
+    void add_threads(CLI::App* sub)
+    {
         sub->add_option("--threads", options_.threads, "Threads (default: all processors)")->check(CLI::Range(1, 4096));
     }
 

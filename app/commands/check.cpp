@@ -48,7 +48,7 @@ void print_structure(const CaseDescription& description, const Structure& struct
 }
 
 /// Seconds a run takes, about: 60 ns a particle and step on two threads, 250 ns a shell and step on one.
-double expected_seconds(const Survey& survey, double steps)
+double expected_seconds(const CaseSurvey& survey, double steps)
 {
     const double particles = survey.gas ? static_cast<double>(survey.gas->particles()) : 0;
     const double work = 120e-9 * particles + 250e-9 * static_cast<double>(survey.structure.element_count());
@@ -74,7 +74,7 @@ CaseDescription case_of(const Options& options)
 int check_command(const Options& options)
 {
     const CaseDescription description = case_of(options);
-    const Survey survey = corpuscle::survey(description);
+    const CaseSurvey survey = survey_case(description);
     fmt::print("{}\n\n", description.title.empty() ? description.file.string() : description.title);
     if (survey.gas) print_gas(*survey.gas);
     if (!survey.structure.parts.empty()) print_structure(description, survey.structure);

@@ -7,6 +7,9 @@
 
 namespace corpuscle {
 
+int run_command(const Options& options);
+int resume_command(const Options& options);
+int report_command(const Options& options);
 int check_command(const Options& options);
 int new_command(const Options& options);
 int list_command(const Options& options);

@@ -14,13 +14,13 @@ namespace corpuscle {
 namespace {
 
 /// Refuses what this machine cannot hold. Called before the meshes are made, and again when the elements are counted.
-std::size_t check_room(const CaseDescription& description, const Survey& survey)
+std::size_t check_room(const CaseDescription& description, const CaseSurvey& survey)
 {
     const Place& place = description.gas ? description.gas->places.of("particles") : description.places.own;
     return check_memory(survey.gas ? survey.gas->particles() : 0, survey.structure.element_count(), place, machine_memory());
 }
 
-void warn_of_room(Survey& survey)
+void warn_of_room(CaseSurvey& survey)
 {
     const std::size_t free = machine_memory().available;
     if (free > 0 && survey.memory > free) survey.warnings.push_back(fmt::format("the run needs about {}, of which only {} are free now", bytes_text(survey.memory), bytes_text(free)));
@@ -53,10 +53,10 @@ GasPace pace_of(const GasPlan& plan, std::size_t i)
 
 }  // namespace
 
-Survey survey(const CaseDescription& description)
+CaseSurvey survey_case(const CaseDescription& description)
 {
     check_names(description);
-    Survey survey;
+    CaseSurvey survey;
     if (description.gas) {
         check_products(description);
         survey.gas = plan_gas(description, survey.warnings);
@@ -69,7 +69,7 @@ Survey survey(const CaseDescription& description)
     return survey;
 }
 
-double expected_steps(const Survey& survey, double end_time)
+double expected_steps(const CaseSurvey& survey, double end_time)
 {
     std::vector<GasPace> paces;
     if (survey.gas)

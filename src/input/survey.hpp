@@ -11,7 +11,7 @@
 namespace corpuscle {
 
 /// A case worked out but for its particles: every check of meaning is behind it. What `check` shows, what `build` builds on.
-struct Survey {
+struct CaseSurvey {
     Structure structure;
     std::optional<GasPlan> gas;
     std::size_t memory = 0;  ///< bytes a run will need
@@ -19,9 +19,9 @@ struct Survey {
 };
 
 /// Checks a case whose presets are resolved, and works it out. Errors: InputError or InputProblems.
-[[nodiscard]] Survey survey(const CaseDescription& description);
+[[nodiscard]] CaseSurvey survey_case(const CaseDescription& description);
 
 /// Steps a run will take, about: the least stable step of the structure and the gas, the gas's growing as the cloud does.
-[[nodiscard]] double expected_steps(const Survey& survey, double end_time);
+[[nodiscard]] double expected_steps(const CaseSurvey& survey, double end_time);
 
 }  // namespace corpuscle

@@ -95,8 +95,7 @@ std::string explain(const Table& root, const std::string& key)
     if (!text.empty()) return text;
     std::vector<std::string> names;
     for (const NamedParameter& named : all) {
-        names.push_back(named.path);
-        if (key.find('.') == std::string::npos) names.push_back(named.parameter->key);
+        names.push_back(key.find('.') == std::string::npos ? named.parameter->key : named.path);
     }
     const std::vector<std::string> near = nearest_names(key, names);
     throw InputError(fmt::format("no parameter of a case is called '{}'", key), near.empty() ? "the tables are " + listed(root.keys()) : suggestion(key, names));

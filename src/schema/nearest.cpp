@@ -16,12 +16,14 @@ std::string lower_case(std::string text)
     return text;
 }
 
-/// How unlike two words are; a word that begins with the other or contains it counts as near.
+/// How unlike two words are, in half letters; a name that begins with the word is nearest, one that contains it near.
 std::size_t unlikeness(const std::string& word, const std::string& name)
 {
-    const std::size_t distance = edit_distance(word, name);
-    if (word.size() >= 3 && name.find(word) != std::string::npos) return std::min<std::size_t>(distance, 1);
-    return distance;
+    const std::size_t distance = 2 * edit_distance(word, name);
+    if (word.size() < 3) return distance;
+    const std::size_t at = name.find(word);
+    if (at == 0) return std::min<std::size_t>(distance, 1);
+    return at != std::string::npos ? std::min<std::size_t>(distance, 3) : distance;
 }
 
 }  // namespace
@@ -49,7 +51,7 @@ std::vector<std::string> nearest_names(const std::string& word, const std::vecto
         std::string name;
     };
     const std::string wanted = lower_case(word);
-    const std::size_t limit = std::max<std::size_t>(1, (wanted.size() + 1) / 3);
+    const std::size_t limit = 2 * std::max<std::size_t>(1, (wanted.size() + 1) / 3);
     std::vector<Candidate> candidates;
     for (const std::string& name : names) {
         const std::size_t distance = unlikeness(wanted, lower_case(name));

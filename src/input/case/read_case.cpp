@@ -22,6 +22,17 @@ bool looks_like_deck(const std::string& text)
     return false;
 }
 
+/// A file beside the case, wherever the written case will lie.
+std::string full_path(const std::string& file, const CaseDescription& description)
+{
+    return (description.folder / file).lexically_normal().string();
+}
+
+void complete_path(ShapeInput& shape, const CaseDescription& description)
+{
+    if (shape.surface) shape.surface->file = full_path(shape.surface->file, description);
+}
+
 }  // namespace
 
 CaseDescription read_case(const std::filesystem::path& file, const std::vector<std::string>& settings)
@@ -29,7 +40,8 @@ CaseDescription read_case(const std::filesystem::path& file, const std::vector<s
     if (std::filesystem::is_directory(file)) throw InputError(fmt::format("'{}' is a folder", file.string()), "expected a case file (.toml)");
     std::ifstream stream(file, std::ios::binary);
     std::stringstream text;
-    if (!stream || !(text << stream.rdbuf())) throw InputError(fmt::format("the case '{}' cannot be read", file.string()), "check its name; `corpuscle new plate` writes one to start from");
+    if (stream && stream.peek() != std::ifstream::traits_type::eof()) text << stream.rdbuf();
+    if (stream.bad() || !std::filesystem::exists(file) || !stream.is_open()) throw InputError(fmt::format("the case '{}' cannot be read", file.string()), "check its name; `corpuscle new plate` writes one to start from");
     CaseDescription description = read_case_text(text.str(), file.string(), settings);
     description.folder = std::filesystem::absolute(file).parent_path();
     description.file = file;
@@ -50,7 +62,12 @@ CaseDescription read_case_text(const std::string& text, const std::string& file,
 
 std::string resolved_case(const CaseDescription& description)
 {
-    return toml_document(write_table(&description, table_of<CaseDescription>()));
+    CaseDescription full = description;
+    for (PartInput& part : full.parts)
+        if (part.mesh.file) part.mesh.file = full_path(*part.mesh.file, description);
+    for (ChargeInput& charge : full.charges) complete_path(charge.shape, description);
+    for (FillInput& fill : full.fills) complete_path(fill.shape, description);
+    return toml_document(write_table(&full, table_of<CaseDescription>()));
 }
 
 }  // namespace corpuscle

@@ -15,7 +15,8 @@ namespace corpuscle {
 /// As read_case, from text; `file` names it in messages.
 [[nodiscard]] CaseDescription read_case_text(const std::string& text, const std::string& file, const std::vector<std::string>& settings = {});
 
-/// The case as a TOML document with every default filled in, units written out; reading it gives the same case.
+/// The case as a TOML document with every default filled in, units and full paths written out: reading it, from
+/// any folder, gives the same case.
 [[nodiscard]] std::string resolved_case(const CaseDescription& description);
 
 }  // namespace corpuscle

@@ -81,6 +81,7 @@ const Table& table_of<OutputInput>()
     static const Table table =
         TableBuilder<OutputInput>("output", "The files a run leaves.")
             .row("fields_every", &OutputInput::fields_every, {"s", above(0), "Interval of the files for ParaView; a thirtieth of the end time if not given.", "\"100 us\""})
+            .row("energies_every", &OutputInput::energies_every, {"s", above(0), "Interval of the energies in history.csv; a 300th of the end time if not given.", "\"10 us\""})
             .row("restart_every", &OutputInput::restart_every, {"s", above(0), "Wall-clock time between two saved states.", "\"10 min\""})
             .row("particles_shown", &OutputInput::particles_shown, {"", from_to(0, 4e9), "Most gas particles in a file for ParaView (every n-th is written); 0: none.", "200_000"})
             .row("averages", &OutputInput::averages, {"", from_to(0, 1000), "Cells along the longest edge of the grid of averages of the gas; 0: no averages.", "48"})

@@ -1,0 +1,90 @@
+#include <cstdio>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "app/command_line.hpp"
+#include "app/commands/commands.hpp"
+#include "app/terminal/interrupt.hpp"
+#include "app/terminal/progress.hpp"
+#include "app/terminal/results.hpp"
+#include "input/build.hpp"
+#include "input/case/read_case.hpp"
+#include "input/presets.hpp"
+#include "output/replace_file.hpp"
+#include "simulation/report.hpp"
+#include "simulation/simulation.hpp"
+
+namespace corpuscle {
+
+namespace {
+
+/// Where the results go: as asked for, else results/<the case's name>, or its folder's where all cases are called "case".
+std::filesystem::path results_folder(const Options& options)
+{
+    if (!options.out.empty()) return options.out;
+    const std::filesystem::path file = std::filesystem::absolute(options.subject);
+    const std::string stem = file.stem().string();
+    const std::string folder = file.parent_path().filename().string();
+    return std::filesystem::path("results") / (stem == "case" && !folder.empty() ? folder : stem);
+}
+
+void tell_warnings(const CaseSurvey& survey, Log& log, bool quiet)
+{
+    for (const std::string& warning : survey.warnings) {
+        log.warning(warning);
+        if (!quiet) fmt::print(stderr, "warning: {}\n", warning);
+    }
+}
+
+/// Steps to the end and says what came of it.
+int finish(Simulation& simulation, const RunFolder& folder, const Options& options)
+{
+    ProgressDisplay display(options.quiet ? ProgressStyle::none : isatty(STDERR_FILENO) != 0 ? ProgressStyle::bar : ProgressStyle::lines);
+    const InterruptWatch watch;
+    const Ending ending = simulation.run(watch.requested(), [&](const Progress& progress) { display.show(progress); });
+    display.finish();
+    const std::filesystem::path report = write_report(folder.path());
+    if (!options.quiet) fmt::print("{}", results_text(simulation.summary()));
+    if (ending == Ending::interrupted) {
+        fmt::print("interrupted, state saved; go on with: corpuscle resume {}\n", folder.path().string());
+        return exit_interrupted;
+    }
+    fmt::print("results in {}, report {}\n", folder.path().string(), report.string());
+    return exit_done;
+}
+
+}  // namespace
+
+int run_command(const Options& options)
+{
+    const RunFolder folder(results_folder(options));
+    const Existing existing = options.force ? Existing::replace : Existing::refuse;
+    const CaseDescription description = case_of(options);
+    folder.check(existing);
+    CaseSurvey survey = survey_case(description);
+    std::unique_ptr<Model> model = build(description, survey);
+    folder.create(existing);
+    replace_file(folder.resolved_case(), resolved_case(description));
+    Simulation simulation(std::move(model), folder);
+    tell_warnings(survey, simulation.log(), options.quiet);
+    return finish(simulation, folder, options);
+}
+
+int resume_command(const Options& options)
+{
+    const RunFolder folder(options.subject);
+    if (!std::filesystem::exists(folder.resolved_case())) throw InputError(fmt::format("'{}' holds no run to go on with", options.subject), "expected the folder of an earlier `corpuscle run`");
+    CaseDescription description = read_case(folder.resolved_case());
+    resolve_presets(description, preset_folders(description.folder, options.installed_share()));
+    const std::unique_ptr<Simulation> simulation = Simulation::resume(build(description), folder);
+    return finish(*simulation, folder, options);
+}
+
+int report_command(const Options& options)
+{
+    fmt::print("{}\n", write_report(options.subject).string());
+    return exit_done;
+}
+
+}  // namespace corpuscle

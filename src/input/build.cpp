@@ -1,0 +1,119 @@
+#include "input/build.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "input/placed.hpp"
+
+namespace corpuscle {
+
+namespace {
+
+std::uint32_t part_index(const Structure& structure, const std::string& name)
+{
+    const auto found = std::find_if(structure.parts.begin(), structure.parts.end(), [&](const Part& part) { return part.name == name; });
+    return static_cast<std::uint32_t>(found - structure.parts.begin());
+}
+
+/// The node nearest to a point; of equals one of a part that can move.
+std::uint32_t probed_node(const Structure& structure, const Vector3d& point)
+{
+    std::uint32_t nearest = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (const bool rigid : {false, true}) {
+        for (const Part& part : structure.parts) {
+            if (part.rigid() != rigid) continue;
+            for (std::uint32_t node = part.first_node; node < part.first_node + part.node_count; ++node) {
+                const double distance = norm(structure.nodes.reference[node] - point);
+                if (distance < least) {
+                    least = distance;
+                    nearest = node;
+                }
+            }
+        }
+    }
+    return nearest;
+}
+
+bool has(const ProbeInput& input, ProbeQuantity quantity)
+{
+    return std::find(input.quantities.begin(), input.quantities.end(), quantity) != input.quantities.end();
+}
+
+Probe make_probe(const ProbeInput& input, const Structure& structure, std::vector<std::string>& warnings)
+{
+    Probe probe{input.name, probed_node(structure, input.node_at), has(input, ProbeQuantity::displacement), has(input, ProbeQuantity::velocity), input.every, {}};
+    if (input.reference) probe.reference = Reference{input.reference->value, static_cast<int>(input.reference->component), input.reference->label};
+    Box bounds;
+    for (const Vector3d& place : structure.nodes.reference) bounds.include(place);
+    const double away = norm(structure.nodes.reference[probe.node] - input.node_at);
+    if (away > 0.05 * norm(bounds.size())) warnings.push_back(fmt::format("probe '{}': the nearest node is {:.3g} m away", input.name, away));
+    return probe;
+}
+
+RegionGauge region_of(const Shape& shape, const Domain& domain, const GaugeInput& input)
+{
+    const double volume = shape.volume_within(domain.box);
+    if (!(volume > 0)) throw InputError(fmt::format("gauge '{}' lies outside the gas box", input.name), "expected it within the box of [gas]", input.places.own);
+    return {shape, volume};
+}
+
+Gauge make_gauge(const GaugeInput& input, const Model& model)
+{
+    const Place& place = input.places.own;
+    const Domain& domain = model.gas.domain;
+    return at_place(place, [&]() -> Gauge {
+        if (input.facets) return {input.name, PartGauge{part_index(model.structure, *input.facets)}, input.every};
+        if (input.sphere) return {input.name, region_of(Shape::sphere(input.sphere->center, input.sphere->radius), domain, input), input.every};
+        if (input.box) return {input.name, region_of(Shape::box(box_of(*input.box)), domain, input), input.every};
+        const int face = static_cast<int>(*input.face);
+        if (domain.edges[static_cast<std::size_t>(face)] != Edge::rigid)
+            throw InputError(fmt::format("gauge '{}' is on a face of the gas box that is not rigid", input.name), "expected a face whose edge is \"rigid\"", input.places.of("face"));
+        return {input.name, FaceGauge{face}, input.every};
+    });
+}
+
+void add_load(Model& model, const LoadInput& input)
+{
+    const ConwepInput& conwep = *input.conwep;
+    const Burst burst = conwep.burst == BurstInput::spherical ? Burst::spherical : Burst::hemispherical;
+    at_place(input.places.own, [&] { add_conwep(model, part_index(model.structure, input.part), {conwep.mass, conwep.center, burst, conwep.time}); });
+}
+
+OutputSettings make_output(const CaseDescription& description)
+{
+    const OutputInput& input = description.output;
+    OutputSettings output;
+    output.fields_every = input.fields_every.value_or(description.end_time / 30);
+    output.history_every = input.energies_every.value_or(description.end_time / 300);
+    output.restart_every = input.restart_every;
+    output.particles_shown = input.particles_shown;
+    output.averages = input.averages;
+    output.compress = input.compress;
+    return output;
+}
+
+}  // namespace
+
+std::unique_ptr<Model> build(const CaseDescription& description, CaseSurvey& survey)
+{
+    Gas gas = survey.gas ? at_place(description.gas->places.own, [&] { return fill_gas(std::move(*survey.gas)); }) : Gas{};
+    auto model = std::make_unique<Model>(std::move(gas), std::move(survey.structure));
+    model->title = description.title;
+    model->end_time = description.end_time;
+    model->output = make_output(description);
+    for (const LoadInput& load : description.loads) add_load(*model, load);
+    for (const ProbeInput& probe : description.probes) model->probes.push_back(make_probe(probe, model->structure, survey.warnings));
+    for (const GaugeInput& gauge : description.gauges) model->gauges.push_back(make_gauge(gauge, *model));
+    return model;
+}
+
+std::unique_ptr<Model> build(const CaseDescription& description)
+{
+    CaseSurvey survey = survey_case(description);
+    return build(description, survey);
+}
+
+}  // namespace corpuscle

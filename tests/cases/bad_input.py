@@ -1,0 +1,143 @@
+"""Every mistake a case can have ends with exit code 2, a place, what was expected, and nothing written."""
+
+import re
+import shutil
+import sys
+
+from program import CASE, contents, execute, fresh_folder, replaced
+
+# A square of two triangles that stand apart (a hole all round), text STL.
+OPEN_STL = """solid open
+facet normal 0 0 1
+outer loop
+vertex 0 0 0
+vertex 1 0 0
+vertex 0 1 0
+endloop
+endfacet
+endsolid open
+"""
+
+
+def mesh_file(nodes, elements):
+    """A gmsh 2.2 file of quadrilaterals."""
+    lines = ["$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$Nodes", str(len(nodes))]
+    lines += [f"{i + 1} {x} {y} {z}" for i, (x, y, z) in enumerate(nodes)]
+    lines += ["$EndNodes", "$Elements", str(len(elements))]
+    lines += [f"{i + 1} 3 2 1 1 {' '.join(str(n) for n in element)}" for i, element in enumerate(elements)]
+    return "\n".join(lines + ["$EndElements", ""])
+
+
+TANGLED = mesh_file([(0, 0, 0), (0.1, 0, 0), (0.1, 0.1, 0), (0, 0.1, 0)], [(1, 2, 4, 3)])
+FLAT = mesh_file([(0, 0, 0), (0.1, 0, 0), (0.2, 0, 0), (0.3, 0, 0)], [(1, 2, 3, 4)])
+GOOD = mesh_file([(0, 0, 0), (0.1, 0, 0), (0.1, 0.1, 0), (0, 0.1, 0)], [(1, 2, 3, 4)])
+DISK = "mesh = { disk = { radius = \"200 mm\", element_size = \"40 mm\", quarter = true } }"
+FIX = "fix = [{ where = \"rim\", dof = \"all\" }, { where = \"x=0\", dof = \"symmetry\" }, { where = \"y=0\", dof = \"symmetry\" }]"
+
+
+def with_mesh(mesh):
+    return replaced(FIX, "", replaced(DISK, mesh))
+
+
+CHARGE = CASE[CASE.index("[[charge]]"):CASE.index("[gas]")]
+
+# name, case, what standard error must match, further files, further words of the command line
+MISTAKES = [
+    ("unknown key", replaced("mass = \"1 kg\"", "mas = \"1 kg\""), r"case\.toml:7:1: unknown key 'mas' in 'charge'; did you mean 'mass'"),
+    ("unknown table", CASE + "\n[gass]\nx = 1\n", r"case\.toml:\d+:\d+: unknown key 'gass'.*did you mean 'gas'"),
+    ("two unknown keys at once", replaced("particles =", "particels =", replaced("title =", "titel =")), r"(?s)1:1: unknown key 'titel'.*'particels'.*did you mean 'particles'"),
+    ("wrong type", replaced("mass = \"1 kg\"", "mass = [1]"), r"case\.toml:7:8: 'mass' is a list; expected number > 0 in kg"),
+    ("wrong type of an integer", replaced("2_000", "\"many\""), r"case\.toml:13:13: 'total' is a text; expected integer"),
+    ("a date", replaced("end_time = \"0.2 ms\"", "end_time = 2020-01-01"), r"case\.toml:2:12: 'end_time' is a date or time; expected number > 0 in s"),
+    ("wrong unit", replaced("\"1 kg\"", "\"1 mm\""), r"case\.toml:7:8: mass: \"1 mm\" is a length; expected a mass.*\"15 kg\""),
+    ("unknown unit", replaced("\"1 kg\"", "\"1 kgg\""), r"case\.toml:7:8: mass: unknown unit 'kgg'.*did you mean 'kg'"),
+    ("no unit", replaced("\"1 kg\"", "\"1\""), r"case\.toml:7:8: mass: \"1\" has no unit; expected a mass"),
+    ("out of range", replaced("\"1 kg\"", "\"-1 kg\""), r"case\.toml:7:8: mass = \"-1 kg\" is out of range; expected a number > 0 kg"),
+    ("not a number", replaced("\"1 kg\"", "nan"), r"case\.toml:7:8: mass = nan is out of range"),
+    ("end time 0", replaced("\"0.2 ms\"", "0"), r"case\.toml:2:12: end_time = 0 is out of range; expected a number > 0 s"),
+    ("no end time", replaced("end_time = \"0.2 ms\"", ""), r"case\.toml:1:1: the case has no 'end_time'; expected number > 0 in s"),
+    ("zero particles", replaced("2_000", "0"), r"case\.toml:13:13: total = 0 is out of range; expected a number 1 to"),
+    ("too few particles", replaced("2_000", "1"), r"case\.toml:13:13: the gas '\w+' .* gets no particles; expected more"),
+    ("more memory than there is", replaced("2_000", "4_000_000_000"), r"case\.toml:13:13: \d+ particles .* need about .*, this machine has .*; expected at most"),
+    ("missing charge", replaced(CHARGE, ""), r"case\.toml:\d+:\d+: there is gas but no \[\[charge\]\].*expected a \[\[charge\]\]"),
+    ("charge without gas", CASE[:CASE.index("[gas]")] + CASE[CASE.index("[[part]]"):], r"case\.toml:4:\d+: there is a \[\[charge\]\] but no \[gas\]; expected"),
+    ("charge without mass", replaced("mass = \"1 kg\"\n", ""), r"case\.toml:4:\d+: the charge has a form but no mass; expected mass and center"),
+    ("charge overlapping the plate", replaced("center = [0, 0, \"300 mm\"]", "center = [0, 0, \"20 mm\"]"), r"case\.toml:8:10: the charge overlaps part 'plate' near .*; move"),
+    ("charge outside the box", replaced("center = [0, 0, \"300 mm\"]", "center = [0, 0, \"3000 mm\"]"), r"case\.toml:8:10: the charge, .*, lies outside the gas box; expected"),
+    ("charge cut by an edge", replaced("center = [0, 0, \"300 mm\"]", "center = [0, 0, \"590 mm\"]"), r"case\.toml:8:10: the charge sticks .* out of the gas box at z\+; expected"),
+    ("unknown explosive", replaced("\"tnt\"", "\"tmt\""), r"case\.toml:5:13: unknown explosive 'tmt'; did you mean 'tnt'.*c4"),
+    ("unknown gas", replaced("\"air\"", "\"aire\""), r"case\.toml:14:8: unknown gas 'aire'; did you mean 'air'"),
+    ("unknown material", replaced("\"rha_steel\"", "\"rha_stele\""), r"case\.toml:20:12: unknown material 'rha_stele'; did you mean 'rha_steel'"),
+    ("part with no mass", replaced("material = \"rha_steel\"", ""), r"case\.toml:16:\d+: part 'plate' has no material, so it has no mass; expected material"),
+    ("no thickness", replaced("\"5 mm\"", "0"), r"case\.toml:19:\d+: thickness = 0 is out of range; expected a number > 0 m"),
+    ("mesh with a hole", with_mesh("mesh = { file = \"m.msh\", closed = true }"), r"case\.toml:18:\d+: .*m?plate.*hole|case\.toml:18:\d+: .*open", {"m.msh": GOOD}),
+    ("charge of a surface with a hole", replaced("shape = \"sphere\"\nmass = \"1 kg\"\ncenter = [0, 0, \"300 mm\"]", "shape = { surface = \"open.stl\" }"), r"case\.toml:6:\d+: .*(hole|open)", {"open.stl": OPEN_STL}),
+    ("tangled element", with_mesh("mesh = { file = \"m.msh\" }"), r"case\.toml:18:\d+: .*tangled", {"m.msh": TANGLED}),
+    ("element without area", with_mesh("mesh = { file = \"m.msh\" }"), r"case\.toml:18:\d+: .*(flat|area|collapsed)", {"m.msh": FLAT}),
+    ("no such mesh file", with_mesh("mesh = { file = \"none.msh\" }"), r"case\.toml:18:\d+: there is no mesh file .*none\.msh.*; expected"),
+    ("no mesh in the file", with_mesh("mesh = { file = \"m.msh\" }"), r"m\.msh.*", {"m.msh": "nothing\n"}),
+    ("unknown node set", replaced("where = \"rim\"", "where = \"rmi\""), r"case\.toml:21:\d+: .*rmi.*did you mean 'rim'|case\.toml:21:\d+: .*'rmi'.*rim"),
+    ("symmetry without a plane", replaced("where = \"rim\", dof = \"all\"", "where = \"rim\", dof = \"symmetry\""), r"case\.toml:21:\d+: dof = \"symmetry\" needs a plane.*; expected"),
+    ("rigid part that is not held", replaced("fix = [{ where = \"all\", dof = \"all\" }]", ""), r"case\.toml:\d+:\d+: .*frame.*; "),
+    ("two parts of one name", replaced("name = \"frame\"", "name = \"plate\""), r"case\.toml:24:8: a second part is called 'plate'; expected"),
+    ("load on no part", CASE + "\n[[load]]\nconwep = { mass = 1, center = [0, 0, 0.3] }\npart = \"plat\"\n", r"case\.toml:\d+:8: there is no part 'plat'; did you mean 'plate'"),
+    ("gauge on an open face", CASE + "\n[[gauge]]\nname = \"g\"\nface = \"z+\"\nevery = \"1 us\"\n", r"case\.toml:\d+:8: gauge 'g' is on a face .* not rigid; expected"),
+    ("box upside down", replaced("[\"-100 mm\", \"600 mm\"]", "[\"600 mm\", \"-100 mm\"]"), r"case\.toml:11:7: the gas box runs from .* along z; expected the lower end first"),
+    ("two values for one key", replaced("title = \"a small plate\"", "title = \"a\"\ntitle = \"b\""), r"case\.toml:2:1: .*(title|redefin)"),
+    ("no TOML", replaced("mass = \"1 kg\"", "mass = 1 kg"), r"case\.toml:7:\d+: .*; expected TOML"),
+    ("an LS-DYNA deck", "*KEYWORD\n*END\n", r"case\.toml:1:1: this is an LS-DYNA keyword deck.*; expected a case in TOML"),
+    ("an empty case", "", r"the case has no 'end_time'"),
+    ("wrong --set", CASE, r"--set charge\.0\.mas: unknown key 'mas' in 'charge'; did you mean 'mass'", {}, ["--set", "charge.0.mas=2 kg"]),
+    ("--set out of range", CASE, r"--set end_time: end_time = -1 is out of range; expected a number > 0 s", {}, ["--set", "end_time=-1"]),
+    ("--set without a value", CASE, r"--set end_time has no key and value; expected key=value", {}, ["--set", "end_time"]),
+    ("unknown option", CASE, r"--fast", {}, ["--fast"]),
+]
+
+
+def try_mistake(name, case, pattern, files=None, words=()):
+    """Runs the case; gives what is not as it must be."""
+    folder = fresh_folder({"case.toml": case, **(files or {})})
+    before = contents(folder)
+    code, out, error = execute(folder, "run", "case.toml", "--out", "results/bad", *words)
+    wrong = []
+    if code != 2:
+        wrong.append(f"exit code {code}")
+    if not re.search(pattern, error):
+        wrong.append(f"standard error does not match {pattern}")
+    if re.match(r"case\.toml:\d+:\d+:", error) and not re.search(r"\n +\S.*\n +\^\n", error) and case:
+        wrong.append("no line of the file with a mark")
+    if contents(folder) != before:
+        wrong.append(f"left behind {sorted(contents(folder).keys() - before.keys())}")
+    shutil.rmtree(folder)
+    return [f"{name}: {what}\n    {error.strip()}\n    {out.strip()}" for what in wrong]
+
+
+def try_folders():
+    """Results that exist are not touched, and folders that cannot be made are refused before anything runs."""
+    wrong = []
+    folder = fresh_folder({"case.toml": CASE, "old/history.csv": "time [s]\n", "old/summary.json": "{}\n", "file": "x"})
+    before = contents(folder)
+    for out, pattern in [("old", r"old.*--force"), ("file/results", r"file/results|file"), ("/proc/corpuscle", r"/proc/corpuscle")]:
+        code, _, error = execute(folder, "run", "case.toml", "--out", out)
+        if code != 2 or not re.search(pattern, error):
+            wrong.append(f"--out {out}: exit code {code}: {error}")
+    if contents(folder) != before:
+        wrong.append("old results were changed")
+    for words, pattern in [(["run", "none.toml"], r"none\.toml.*cannot be read"), (["run", "."], r"is a folder"), (["resume", "old"], r"holds no run"), (["report", "none"], r"none"), (["run"], r"case")]:
+        code, _, error = execute(folder, *words)
+        if code != 2 or not re.search(pattern, error):
+            wrong.append(f"{words}: exit code {code}: {error}")
+    shutil.rmtree(folder)
+    return wrong
+
+
+def main():
+    wrong = [what for mistake in MISTAKES for what in try_mistake(*mistake)] + try_folders()
+    for what in wrong:
+        print(what)
+    print(f"{len(MISTAKES)} mistakes tried, {len(wrong)} answered badly")
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

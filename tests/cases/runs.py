@@ -1,0 +1,94 @@
+"""Runs from start to end: what they leave, --force, --set, an interrupt and going on, bits that do not depend on threads."""
+
+import json
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import time
+
+from program import CASE, PROGRAM, contents, execute, fresh_folder
+
+
+def history_rows(folder):
+    return [line for line in (folder / "history.csv").read_text().splitlines()[1:] if line]
+
+
+def check_run(folder):
+    _, out, error = execute(folder, "run", "case.toml", "--out", "a", check=0)
+    left = contents(folder / "a")
+    for name in ["case.resolved.toml", "run.log", "summary.json", "history.csv", "report.html"]:
+        assert left.get(name, 0) > 0, name
+    summary = json.loads((folder / "a/summary.json").read_text())
+    assert summary["status"] == "done" and summary["steps"] > 10
+    assert abs(summary["end_time_s"] - 2e-4) < 1e-12
+    assert abs(summary["ledger"]["energy_error"]) < 1e-3 and abs(summary["ledger"]["mass_error"]) < 1e-6
+    assert summary["probes"]["center"]["displacement_z_m"]["min"] < -1e-4  # pushed away from the charge
+    assert "100 %" in error and "report" in out  # plain lines in a pipe
+    assert "\r" not in error
+
+
+def check_refusal_and_force(folder):
+    before = (folder / "a/summary.json").read_bytes()
+    assert "--force" in execute(folder, "run", "case.toml", "--out", "a", check=2)[2]
+    assert (folder / "a/summary.json").read_bytes() == before
+    _, out, error = execute(folder, "run", "case.toml", "--out", "a", "--force", "--quiet", "--set", "end_time=0.05 ms", check=0)
+    assert abs(json.loads((folder / "a/summary.json").read_text())["end_time_s"] - 5e-5) < 1e-12
+    assert error == "", error
+
+
+def check_resolved(folder):
+    """The resolved case, read again, runs to the same bits."""
+    execute(folder, "run", "a/case.resolved.toml", "--out", "again", "--quiet", check=0)
+    assert history_rows(folder / "again") == history_rows(folder / "a")
+
+
+def check_threads(folder):
+    for threads in ("1", "2", "3"):
+        execute(folder, "run", "case.toml", "--out", "t" + threads, "--quiet", "--threads", threads, check=0)
+    assert history_rows(folder / "t1") == history_rows(folder / "t2") == history_rows(folder / "t3")
+
+
+def interrupted_run(folder, number):
+    """Starts a run, sends it a signal when its history has begun; gives the exit code."""
+    with subprocess.Popen([str(PROGRAM), "run", "case.toml", "--out", "cut", "--force", "--set", "gas.particles=20_000"], cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
+        deadline = time.time() + 120
+        while time.time() < deadline and process.poll() is None:
+            history = folder / "cut/history.csv"
+            if history.exists() and len(history.read_text().splitlines()) > 3:
+                os.kill(process.pid, number)
+                break
+            time.sleep(0.005)
+        process.communicate(timeout=120)
+        return process.returncode
+
+
+def check_interrupt(folder):
+    assert interrupted_run(folder, signal.SIGTERM) == 130
+    assert json.loads((folder / "cut/summary.json").read_text())["status"] == "interrupted"
+    assert any((folder / "cut/restart").iterdir())
+    execute(folder, "resume", "cut", "--quiet", check=0)
+    summary = json.loads((folder / "cut/summary.json").read_text())
+    assert summary["status"] == "done" and abs(summary["end_time_s"] - 2e-4) < 1e-12
+    execute(folder, "run", "case.toml", "--out", "whole", "--quiet", "--set", "gas.particles=20_000", check=0)
+    assert len(history_rows(folder / "cut")) == len(history_rows(folder / "whole"))
+
+
+def check_report(folder):
+    (folder / "t1/report.html").unlink()
+    execute(folder, "report", "t1", check=0)
+    assert (folder / "t1/report.html").stat().st_size > 1000
+
+
+def main():
+    folder = fresh_folder({"case.toml": CASE})
+    for check in [check_run, check_refusal_and_force, check_resolved, check_threads, check_interrupt, check_report]:
+        check(folder)
+        print(f"{check.__name__}: as it should be", flush=True)
+    shutil.rmtree(folder)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
