@@ -76,6 +76,14 @@ TEST(MergeNodes, OfNoToleranceJoinsEqualNodes)
     EXPECT_EQ(merge_nodes(empty, 1.0), 0u);
 }
 
+TEST(MergeNodes, WorksFarFromTheOrigin)
+{
+    Mesh mesh = box_mesh({{1e7, 1e7, 1e7}, {1e7 + 1, 1e7 + 1, 1e7 + 1}}, 0.5);
+    const std::size_t nodes = mesh.nodes.size();
+    append(mesh, Mesh(mesh));
+    EXPECT_EQ(merge_nodes(mesh, 0.0), nodes);
+}
+
 TEST(RemoveUnusedNodes, KeepsElementsAndSetsInStep)
 {
     Mesh mesh = rectangle_mesh({}, {1, 0, 0}, {0, 1, 0}, 0.5);
