@@ -19,7 +19,8 @@ private:
     void add_block(const std::byte* block);
 
     static constexpr std::size_t block_size = 32;
-    std::array<std::uint64_t, 4> lanes_{0x243F6A8885A308D3U, 0x13198A2E03707344U, 0xA4093822299F31D0U, 0x082EFA98EC4E6C89U};  // digits of pi
+    std::array<std::uint64_t, 4> lanes_{0x243F6A8885A308D3U, 0x13198A2E03707344U, 0xA4093822299F31D0U,
+                                        0x082EFA98EC4E6C89U};  // digits of pi
     std::array<std::byte, block_size> rest_{};
     std::size_t rest_size_ = 0;
     std::uint64_t length_ = 0;

@@ -110,7 +110,8 @@ bool set_chunks(hid_t properties, const Hdf5Shape& shape, int gzip)
 void attach(hid_t file, const std::string& object, const std::string& name, const std::function<bool(hid_t)>& write)
 {
     const Handle target(H5Oopen(file, object.c_str(), H5P_DEFAULT), H5Oclose);
-    if (!target.good() || !write(target.id())) throw Error(fmt::format("cannot write attribute '{}' of '{}'", name, object), "is the disk full?");
+    if (!target.good() || !write(target.id()))
+        throw Error(fmt::format("cannot write attribute '{}' of '{}'", name, object), "is the disk full?");
 }
 
 bool attach_array(hid_t object, const std::string& name, hid_t type, std::size_t count, const void* values)
@@ -243,7 +244,8 @@ void Hdf5File::write(const std::string& name, const Hdf5Shape& shape, const void
     const hid_t type = memory_type(shape.type);
     const Handle data(H5Dcreate2(id_, name.c_str(), type, space.id(), H5P_DEFAULT, properties.id(), H5P_DEFAULT), H5Dclose);
     if (!planned || !data.good()) fail(fmt::format("make '{}'", name), path_);
-    if (shape.value_count() > 0 && H5Dwrite(data.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0) fail(fmt::format("write '{}'", name), path_);
+    if (shape.value_count() > 0 && H5Dwrite(data.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0)
+        fail(fmt::format("write '{}'", name), path_);
 }
 
 void Hdf5File::write(const std::string& name, const Field& field, const Hdf5Shape& shape, int gzip)
@@ -322,7 +324,8 @@ void Hdf5File::read(const std::string& name, Hdf5Type type, void* values) const
 {
     if (shape(name).value_count() == 0) return;
     const Handle data(H5Dopen2(id_, name.c_str(), H5P_DEFAULT), H5Dclose);
-    if (!data.good() || H5Dread(data.id(), memory_type(type), H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0) fail(fmt::format("read '{}'", name), path_);
+    if (!data.good() || H5Dread(data.id(), memory_type(type), H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0)
+        fail(fmt::format("read '{}'", name), path_);
 }
 
 std::vector<std::int64_t> Hdf5File::read_integers(const std::string& name) const

@@ -14,7 +14,8 @@ namespace corpuscle {
 
 Log::Log(const std::filesystem::path& path) : path_(path), stream_(path, std::ios::app), start_(std::chrono::steady_clock::now())
 {
-    if (!stream_) throw Error(fmt::format("cannot write the log '{}': {}", path.string(), std::strerror(errno)), "check that the folder is writable");
+    if (!stream_)
+        throw Error(fmt::format("cannot write the log '{}': {}", path.string(), std::strerror(errno)), "check that the folder is writable");
     line(fmt::format("log opened {:%Y-%m-%d %H:%M:%S} UTC", fmt::gmtime(std::time(nullptr))));
 }
 

@@ -17,7 +17,8 @@ namespace {
 
 [[noreturn]] void refuse(const char* verb, const std::filesystem::path& path, int code)
 {
-    throw Error(fmt::format("cannot {} '{}': {}", verb, path.string(), std::strerror(code)), "check that the folder is writable and the disk not full");
+    throw Error(fmt::format("cannot {} '{}': {}", verb, path.string(), std::strerror(code)),
+                "check that the folder is writable and the disk not full");
 }
 
 /// Waits until the disk holds what was written to a file or folder.

@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <limits>
 
+#include "output/vtk/view_script.hpp"
+
 namespace corpuscle {
 
 namespace {
 
 constexpr std::chrono::seconds look_every{1};
+constexpr double end_tolerance = 1e-12;  ///< of the end time, for its rounding
 
 std::vector<HistoryColumn> all_columns(const OutputPlan& plan)
 {
@@ -28,7 +31,9 @@ History open_history(const RunFolder& folder, const OutputPlan& plan, std::optio
 
 Outputs::Outputs(RunFolder folder, OutputPlan plan) : Outputs(std::move(folder), std::move(plan), std::optional<double>()) {}
 
-Outputs::Outputs(RunFolder folder, OutputPlan plan, double time) : Outputs(std::move(folder), std::move(plan), std::optional<double>(time)) {}
+Outputs::Outputs(RunFolder folder, OutputPlan plan, double time) : Outputs(std::move(folder), std::move(plan), std::optional<double>(time))
+{
+}
 
 Outputs::Outputs(RunFolder folder, OutputPlan plan, std::optional<double> resumed)
     : folder_(std::move(folder)),
@@ -50,6 +55,7 @@ Outputs::Outputs(RunFolder folder, OutputPlan plan, std::optional<double> resume
         families_.back().series.resume(*resumed);
         families_.back().interval.resume(*resumed);
     }
+    if (!families_.empty()) write_view_script(folder_.fields());
     if (resumed) sampled_ = *resumed;
 }
 
@@ -64,11 +70,12 @@ double Outputs::next_due() const
 void Outputs::write_due(const Clock& clock)
 {
     const double time = clock.end();
+    const bool last = time >= plan_.end_time * (1 - end_tolerance);
     std::vector<bool> due;
-    for (Interval& sampling : samplings_) due.push_back(sampling.take(time));
+    for (Interval& sampling : samplings_) due.push_back(sampling.take(time) || last);
     sample(time, due);
     for (std::size_t i = 0; i < families_.size(); ++i) {
-        if (families_[i].interval.take(time)) families_[i].series.add(time, plan_.fields[i].write);
+        if (families_[i].interval.take(time) || last) families_[i].series.add(time, plan_.fields[i].write);
     }
 }
 

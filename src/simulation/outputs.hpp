@@ -3,6 +3,7 @@
 #include <chrono>
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -28,7 +29,7 @@ struct HistorySource {
 /// A family of files for ParaView: "gas", "cells", "structure".
 struct FieldSource {
     std::string family;
-    double every = 0;                                               ///< [s]
+    double every = 0;                                              ///< [s]
     std::function<void(const std::filesystem::path& path)> write;  ///< writes one file
 };
 
@@ -36,8 +37,9 @@ struct FieldSource {
 struct OutputPlan {
     std::vector<HistorySource> history;
     std::vector<FieldSource> fields;
-    double restart_every = 600;                 ///< wall clock [s]
-    std::function<RestartContent()> state;      ///< everything to go on from; no restarts if empty
+    double end_time = std::numeric_limits<double>::infinity();  ///< of the run [s]; at the end of its last step everything is due
+    double restart_every = 600;                                 ///< wall clock [s]
+    std::function<RestartContent()> state;                      ///< everything to go on from; no restarts if empty
 };
 
 /// Writes what is due, when it is due, into a run's folder.
@@ -52,8 +54,8 @@ public:
     /// The next simulated time [s] at which something is due, for a step that wants to end there.
     [[nodiscard]] double next_due() const;
 
-    /// Writes the samples and dumps that are due at the end of the clock's step. Called before Clock::end_step, and once at the start of a new
-    /// run, when the step has no length yet, for the initial state.
+    /// Writes the samples and dumps that are due at the end of the clock's step. Called before Clock::end_step, and once at the start of a
+    /// new run, when the step has no length yet, for the initial state.
     void write_due(const Clock& clock);
 
     /// Between steps: saves a restart if its wall time has come or a file "save" was dropped into the folder.
@@ -62,7 +64,8 @@ public:
     /// Between steps: saves a restart now. Nothing if the plan has no state.
     void save();
 
-    /// After the last step: writes the present sample and dump of every source that has just now not been written, and a restart.
+    /// After the last step: writes the present sample and dump of every source that has not been written at this time (none, if the plan
+    /// knew the end), and a restart. Sources are then asked between steps: Clock::time, not Clock::end, is the present.
     void finish(const Clock& clock);
 
     /// Whether a file "stop" was dropped into the folder; looked for at most once a second of wall time.

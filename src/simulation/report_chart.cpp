@@ -86,11 +86,16 @@ std::vector<Points> shown_points(const std::vector<Points>& curves, const Axis& 
 std::string grid(const Axis& x, const Axis& y)
 {
     std::string text = "<g class=\"grid\">";
-    for (const double tick : y.ticks) text += fmt::format("<path d=\"M{} {:.1f}H{}\"{}/>", left, y.place(tick), right, tick == 0 ? " class=\"zero\"" : "");
+    for (const double tick : y.ticks)
+        text += fmt::format("<path d=\"M{} {:.1f}H{}\"{}/>", left, y.place(tick), right, tick == 0 ? " class=\"zero\"" : "");
     for (const double tick : x.ticks) text += fmt::format("<path d=\"M{:.1f} {}v5\"/>", x.place(tick), bottom);
     text += "</g><g class=\"ticks\">";
-    for (const double tick : y.ticks) text += fmt::format("<text x=\"{}\" y=\"{:.1f}\" text-anchor=\"end\">{}</text>", left - 7, y.place(tick) + 4.5, tick_label(y, tick));
-    for (const double tick : x.ticks) text += fmt::format("<text x=\"{:.1f}\" y=\"{}\" text-anchor=\"middle\">{}</text>", x.place(tick), bottom + 19, tick_label(x, tick));
+    for (const double tick : y.ticks)
+        text +=
+            fmt::format("<text x=\"{}\" y=\"{:.1f}\" text-anchor=\"end\">{}</text>", left - 7, y.place(tick) + 4.5, tick_label(y, tick));
+    for (const double tick : x.ticks)
+        text +=
+            fmt::format("<text x=\"{:.1f}\" y=\"{}\" text-anchor=\"middle\">{}</text>", x.place(tick), bottom + 19, tick_label(x, tick));
     return text + "</g>";
 }
 
@@ -99,7 +104,8 @@ std::string paths(const std::vector<Points>& curves, const Axis& x, const Axis& 
     std::string text;
     for (std::size_t i = 0; i < curves.size(); ++i) {
         std::string path;
-        for (const auto& [px, py] : curves[i]) fmt::format_to(std::back_inserter(path), "{}{:.1f} {:.1f}", path.empty() ? 'M' : 'L', x.place(px), y.place(py));
+        for (const auto& [px, py] : curves[i])
+            fmt::format_to(std::back_inserter(path), "{}{:.1f} {:.1f}", path.empty() ? 'M' : 'L', x.place(px), y.place(py));
         text += fmt::format("<path class=\"curve c{}{}\" d=\"{}\"/>", i % colors, i < colors ? "" : " dashed", path);
     }
     return text;
@@ -110,8 +116,10 @@ std::string reference_lines(const Chart& chart, const Axis& y)
     std::string text;
     for (const ReferenceLine& reference : chart.references) {
         const double place = y.place(reference.value / y.shown.factor);
-        text += fmt::format("<g class=\"reference\"><path d=\"M{} {:.1f}H{}\"/><text x=\"{}\" y=\"{:.1f}\" text-anchor=\"end\">{}: {}</text></g>", left, place, right,
-                            right - 4, place > top + 20 ? place - 6 : place + 16, escaped(reference.label), escaped(shown_value(reference.value, chart.y_unit)));
+        text += fmt::format(
+            "<g class=\"reference\"><path d=\"M{} {:.1f}H{}\"/><text x=\"{}\" y=\"{:.1f}\" text-anchor=\"end\">{}: {}</text></g>", left,
+            place, right, right - 4, place > top + 20 ? place - 6 : place + 16, escaped(reference.label),
+            escaped(shown_value(reference.value, chart.y_unit)));
     }
     return text;
 }
@@ -128,7 +136,8 @@ std::string legend(const Chart& chart)
 /// The points as JSON for the read-out: rounded to what the drawing shows.
 std::string points_json(const Chart& chart, const std::vector<Points>& curves, const Axis& x, const Axis& y)
 {
-    nlohmann::json json{{"x", {x.low(), x.high(), left, right}}, {"y", {y.low(), y.high(), bottom, top}}, {"units", {x.shown.unit, y.shown.unit}}};
+    nlohmann::json json{
+        {"x", {x.low(), x.high(), left, right}}, {"y", {y.low(), y.high(), bottom, top}}, {"units", {x.shown.unit, y.shown.unit}}};
     json["names"] = nlohmann::json::array();
     json["curves"] = nlohmann::json::array();
     for (std::size_t i = 0; i < curves.size(); ++i) {
@@ -214,8 +223,8 @@ std::string drawn(const Chart& chart)
         "<svg viewBox=\"0 0 {3} {4}\" role=\"img\" aria-label=\"{0} over {5}\">{6}{7}{8}"
         "<text class=\"axis\" x=\"{9}\" y=\"{10}\" text-anchor=\"middle\">{5}</text><g class=\"pointer\"></g></svg>"
         "<div class=\"tip\" hidden></div><script type=\"application/json\">{11}</script></figure>\n",
-        escaped(chart.title), escaped(axis_title("", y.shown)), legend(chart), width, height, escaped(axis_title(chart.x_name, x.shown)), grid(x, y),
-        reference_lines(chart, y), paths(curves, x, y), (left + right) / 2, height - 6, points_json(chart, curves, x, y));
+        escaped(chart.title), escaped(axis_title("", y.shown)), legend(chart), width, height, escaped(axis_title(chart.x_name, x.shown)),
+        grid(x, y), reference_lines(chart, y), paths(curves, x, y), (left + right) / 2, height - 6, points_json(chart, curves, x, y));
 }
 
 }  // namespace corpuscle

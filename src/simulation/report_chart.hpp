@@ -37,7 +37,8 @@ struct Chart {
 /// Points that are not finite are dropped.
 [[nodiscard]] std::vector<std::pair<double, double>> thinned(const Curve& curve, std::size_t limit);
 
-/// The chart as an HTML figure: an inline drawing, a legend, and its points for the pointer's read-out. Needs the report's style and script.
+/// The chart as an HTML figure: an inline drawing, a legend, and its points for the pointer's read-out. Needs the report's style and
+/// script.
 [[nodiscard]] std::string drawn(const Chart& chart);
 
 }  // namespace corpuscle

@@ -42,7 +42,8 @@ std::vector<Group> groups_of(const HistoryTable& history)
     for (std::size_t i = 0; i < history.columns.size(); ++i) {
         const std::string quantity = group_quantity(history.columns[i]);
         const std::string& unit = history.columns[i].unit;
-        auto found = std::find_if(groups.begin(), groups.end(), [&](const Group& group) { return group.quantity == quantity && group.unit == unit; });
+        auto found = std::find_if(groups.begin(), groups.end(),
+                                  [&](const Group& group) { return group.quantity == quantity && group.unit == unit; });
         if (found == groups.end()) found = groups.insert(groups.end(), Group{quantity, unit, {}});
         found->columns.push_back(i);
     }
@@ -93,12 +94,13 @@ Chart lesser_curves(Chart& chart)
 {
     double size = 0;
     for (const Curve& curve : chart.curves) size = std::max(size, greatest(curve.y));
-    const auto first = std::stable_partition(chart.curves.begin(), chart.curves.end(), [size](const Curve& curve) { return greatest(curve.y) >= small_share * size; });
     Chart lesser = chart;
     lesser.title += ", the smaller shares";
     lesser.references.clear();
-    lesser.curves.assign(first, chart.curves.end());
-    chart.curves.erase(first, chart.curves.end());
+    lesser.curves.clear();
+    std::vector<Curve> kept;
+    for (Curve& curve : chart.curves) (greatest(curve.y) >= small_share * size ? kept : lesser.curves).push_back(std::move(curve));
+    chart.curves = std::move(kept);
     return lesser;
 }
 

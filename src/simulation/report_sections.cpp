@@ -48,10 +48,21 @@ struct KeyParts {
 
 KeyParts parts_of(const std::string& key)
 {
-    static const std::vector<std::pair<std::string, std::string>> units{
-        {"_m_per_s2", "m/s2"}, {"_m_per_s", "m/s"}, {"_rad_per_s", "rad/s"}, {"_kg_per_m3", "kg/m3"}, {"_pa_s", "Pa s"}, {"_n_s", "N s"}, {"_n_m", "N m"},
-        {"_pa", "Pa"},         {"_j", "J"},         {"_n", "N"},             {"_k", "K"},             {"_kg", "kg"},     {"_rad", "rad"}, {"_m", "m"},
-        {"_s", "s"}};
+    static const std::vector<std::pair<std::string, std::string>> units{{"_m_per_s2", "m/s2"},
+                                                                        {"_m_per_s", "m/s"},
+                                                                        {"_rad_per_s", "rad/s"},
+                                                                        {"_kg_per_m3", "kg/m3"},
+                                                                        {"_pa_s", "Pa s"},
+                                                                        {"_n_s", "N s"},
+                                                                        {"_n_m", "N m"},
+                                                                        {"_pa", "Pa"},
+                                                                        {"_j", "J"},
+                                                                        {"_n", "N"},
+                                                                        {"_k", "K"},
+                                                                        {"_kg", "kg"},
+                                                                        {"_rad", "rad"},
+                                                                        {"_m", "m"},
+                                                                        {"_s", "s"}};
     for (const auto& [suffix, unit] : units) {
         if (key.ends_with(suffix)) return {spaced(key.substr(0, key.size() - suffix.size())), unit};
     }
@@ -67,7 +78,8 @@ std::string particles_text(const RunSummary& summary)
         species += fmt::format("{}{} {}", species.empty() ? "" : ", ", grouped(count), name);
     }
     if (total == 0) return {};
-    return fmt::format("{} particles{}", grouped(total), summary.particles.size() > 1 ? " (" + species + ")" : " of " + summary.particles.begin()->first);
+    return fmt::format("{} particles{}", grouped(total),
+                       summary.particles.size() > 1 ? " (" + species + ")" : " of " + summary.particles.begin()->first);
 }
 
 /// "1,234 particles of air, 12 elements and 3 cells".
@@ -115,8 +127,8 @@ std::string probe_table(const RunSummary& summary)
             const auto [quantity, unit] = parts_of(key);
             const ShownUnit shown = shown_unit(unit, std::max(std::abs(probe.minimum), std::abs(probe.maximum)));
             const auto value = [&shown](double si) { return rounded(si / shown.factor); };
-            rows.push_back({name + " " + quantity, shown.unit, value(probe.minimum), shown_value(probe.time_of_minimum, "s"), value(probe.maximum),
-                            shown_value(probe.time_of_maximum, "s"), value(probe.final)});
+            rows.push_back({name + " " + quantity, shown.unit, value(probe.minimum), shown_value(probe.time_of_minimum, "s"),
+                            value(probe.maximum), shown_value(probe.time_of_maximum, "s"), value(probe.final)});
         }
     }
     return table("Probes", {"", "unit", "lowest", "at", "highest", "at", "last"}, rows);
@@ -135,23 +147,27 @@ std::string part_table(const RunSummary& summary)
 {
     std::vector<Row> rows;
     for (const auto& [name, part] : summary.parts) {
-        rows.push_back({name, shown_vector(part.impulse, "N s"), rounded(100 * part.max_plastic_strain, 3) + " %", shown_value(part.kinetic_energy, "J"), shown_value(part.internal_energy, "J")});
+        rows.push_back({name, shown_vector(part.impulse, "N s"), rounded(100 * part.max_plastic_strain, 3) + " %",
+                        shown_value(part.kinetic_energy, "J"), shown_value(part.internal_energy, "J")});
     }
     return table("Parts", {"", "impulse taken up (x, y, z)", "plastic strain", "kinetic", "internal energy"}, rows);
 }
 
 std::string phase_table(const RunSummary& summary)
 {
-    const double known = std::accumulate(summary.seconds.begin(), summary.seconds.end(), 0.0, [](double sum, const auto& phase) { return sum + phase.second; });
+    const double known = std::accumulate(summary.seconds.begin(), summary.seconds.end(), 0.0,
+                                         [](double sum, const auto& phase) { return sum + phase.second; });
     const double whole = std::max(summary.wall_seconds, known);
     if (!(whole > 0)) return {};
     std::vector<std::pair<std::string, double>> phases = summary.seconds;
     phases.emplace_back("other", whole - known);
-    const double longest = std::max_element(phases.begin(), phases.end(), [](const auto& a, const auto& b) { return a.second < b.second; })->second;
+    const double longest =
+        std::max_element(phases.begin(), phases.end(), [](const auto& a, const auto& b) { return a.second < b.second; })->second;
     std::string rows;
     for (const auto& [name, seconds] : phases) {
-        rows += fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td class=\"bar\"><div style=\"width:{:.1f}%\"></div></td></tr>", escaped(spaced(name)),
-                            escaped(shown_value(seconds, "s")), percent_of(seconds, whole), 100 * seconds / longest);
+        rows += fmt::format(
+            "<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td class=\"bar\"><div style=\"width:{:.1f}%\"></div></td></tr>",
+            escaped(spaced(name)), escaped(shown_value(seconds, "s")), percent_of(seconds, whole), 100 * seconds / longest);
     }
     return "<div class=\"card scroll\"><table><caption>Wall time per phase</caption><tbody>" + rows + "</tbody></table></div>\n";
 }
@@ -182,10 +198,12 @@ std::string report_header(const RunSummary& summary)
 {
     const bool done = summary.status == "done";
     const std::string reason = summary.reason.empty() ? "" : fmt::format("<p class=\"warn\">{}</p>", escaped(summary.reason));
-    return fmt::format("<header><span class=\"status {}\">{}</span><h1>{}</h1>{}<p class=\"lead\">{} of time in {} steps, with {}: {} on {} thread{}.</p></header>\n",
-                       done ? "pass" : "warn", escaped(summary.status), escaped(summary.title), reason, escaped(shown_value(summary.end_time, "s")),
-                       grouped(summary.steps), escaped(contents_text(summary)), escaped(shown_value(summary.wall_seconds, "s")), summary.threads,
-                       summary.threads == 1 ? "" : "s");
+    return fmt::format(
+        "<header><span class=\"status {}\">{}</span><h1>{}</h1>{}<p class=\"lead\">{} of time in {} steps, with {}: {} on {} "
+        "thread{}.</p></header>\n",
+        done ? "pass" : "warn", escaped(summary.status), escaped(summary.title), reason, escaped(shown_value(summary.end_time, "s")),
+        grouped(summary.steps), escaped(contents_text(summary)), escaped(shown_value(summary.wall_seconds, "s")), summary.threads,
+        summary.threads == 1 ? "" : "s");
 }
 
 std::string report_tiles(const RunSummary& summary)
@@ -222,8 +240,10 @@ std::string report_verdicts(const RunSummary& summary)
     std::string text = "<section><h2>Can it be trusted?</h2><div class=\"checks\">";
     for (const Verdict& verdict : all_verdicts(summary)) {
         const char* word = verdict.passed() ? "pass" : "warn";
-        text += fmt::format("<div class=\"card check {0}\"><b>{0}</b><h3>{1}</h3><div class=\"number\">{2}</div><p>limit {3}</p><p>{4}</p></div>", word,
-                            escaped(capitalized(verdict.name)), escaped(percentage(verdict.value)), escaped(percentage(verdict.limit)), escaped(verdict.meaning));
+        text += fmt::format(
+            "<div class=\"card check {0}\"><b>{0}</b><h3>{1}</h3><div class=\"number\">{2}</div><p>limit {3}</p><p>{4}</p></div>", word,
+            escaped(capitalized(verdict.name)), escaped(percentage(verdict.value)), escaped(percentage(verdict.limit)),
+            escaped(verdict.meaning));
     }
     return text + "</div></section>\n";
 }
@@ -238,8 +258,8 @@ std::string report_ledger(const RunSummary& summary)
 {
     std::vector<Row> rows;
     for (const Transfer& transfer : summary.transfers) {
-        rows.push_back({transfer.from + " → " + transfer.to, transfer.mass == 0 ? "-" : rounded(transfer.mass) + " kg", shown_vector(transfer.momentum, "N s"),
-                        shown_value(transfer.energy, "J")});
+        rows.push_back({transfer.from + " → " + transfer.to, transfer.mass == 0 ? "-" : rounded(transfer.mass) + " kg",
+                        shown_vector(transfer.momentum, "N s"), shown_value(transfer.energy, "J")});
     }
     const std::string text = table("Sums over the run", {"", "mass", "momentum (x, y, z)", "energy"}, rows);
     return text.empty() ? "" : "<section><h2>Who gave what to whom</h2>" + text + "</section>\n";
@@ -247,8 +267,10 @@ std::string report_ledger(const RunSummary& summary)
 
 std::string report_cost(const RunSummary& summary)
 {
-    const std::vector<Row> machine{{"wall time", shown_value(summary.wall_seconds, "s")}, {"CPU time", shown_value(summary.cpu_seconds, "s")},
-                                   {"threads", std::to_string(summary.threads)},         {"processes", std::to_string(summary.ranks)},
+    const std::vector<Row> machine{{"wall time", shown_value(summary.wall_seconds, "s")},
+                                   {"CPU time", shown_value(summary.cpu_seconds, "s")},
+                                   {"threads", std::to_string(summary.threads)},
+                                   {"processes", std::to_string(summary.ranks)},
                                    {"greatest memory", shown_bytes(summary.peak_memory)}};
     return "<section><h2>What it cost</h2><div class=\"tables\">" + phase_table(summary) + "<div class=\"tables\">" + count_table(summary) +
            table("Machine", {}, machine) + "</div></div></section>\n";
@@ -261,7 +283,8 @@ std::string report_repeat(const RunSummary& summary, const std::string& resolved
     if (!summary.program.empty()) text += "<p>Program: " + escaped(summary.program) + "</p>";
     text += fmt::format("<p>Seed {}. The same program, case and seed give the same bits on any number of threads.</p>", summary.seed);
     if (!resolved_case.empty()) {
-        text += "<details><summary>The case with every default filled in (case.resolved.toml)</summary><pre>" + escaped(resolved_case) + "</pre></details>";
+        text += "<details><summary>The case with every default filled in (case.resolved.toml)</summary><pre>" + escaped(resolved_case) +
+                "</pre></details>";
     }
     return text + "</div></section>\n";
 }

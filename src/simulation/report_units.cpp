@@ -29,8 +29,10 @@ ShownUnit shown_unit(const std::string& unit, double size)
     if (!takes_prefix(unit) || !(size > 0) || !std::isfinite(size)) return {1, unit};
     const int highest = static_cast<int>(prefixes.size()) - 1 - plain_prefix;
     // A hair is added, so that 1 - 1e-16 counts as 1.
-    const int thousands = std::clamp(static_cast<int>(std::floor(std::log10(size) / 3 + 1e-9)), -plain_prefix, unit == "m" || unit == "s" ? 0 : highest);
-    return {std::pow(1000.0, thousands), std::string(prefixes[static_cast<std::size_t>(plain_prefix + thousands)]) + unit};
+    const auto power = static_cast<int>(std::floor(std::log10(size) / 3 + 1e-9));
+    const int thousands = std::clamp(power, -plain_prefix, unit == "m" || unit == "s" ? 0 : highest);
+    const int index = plain_prefix + thousands;
+    return {std::pow(1000.0, thousands), std::string(prefixes.at(index)) + unit};
 }
 
 std::string shown_value(double value, const std::string& unit)

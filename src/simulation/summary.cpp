@@ -64,8 +64,11 @@ Json verdicts_of(const RunSummary& summary)
 {
     Json list = Json::array();
     for (const Verdict& verdict : all_verdicts(summary)) {
-        list.push_back(
-            {{"name", verdict.name}, {"value", verdict.value}, {"limit", verdict.limit}, {"passed", verdict.passed()}, {"meaning", verdict.meaning}});
+        list.push_back({{"name", verdict.name},
+                        {"value", verdict.value},
+                        {"limit", verdict.limit},
+                        {"passed", verdict.passed()},
+                        {"meaning", verdict.meaning}});
     }
     return list;
 }
@@ -163,8 +166,8 @@ void read_verdicts(const Json& list, RunSummary& summary)
     const std::size_t made = all_verdicts({}).size();
     for (std::size_t i = made; i < list.size(); ++i) {
         const Json& entry = list.at(i);
-        summary.verdicts.push_back(
-            {entry.at("name").get<std::string>(), number(entry.at("value")), number(entry.at("limit")), entry.at("meaning").get<std::string>()});
+        summary.verdicts.push_back({entry.at("name").get<std::string>(), number(entry.at("value")), number(entry.at("limit")),
+                                    entry.at("meaning").get<std::string>()});
     }
 }
 
@@ -172,16 +175,16 @@ void read_bodies(const Json& json, RunSummary& summary)
 {
     for (const auto& [name, quantities] : json.at("probes").items()) {
         for (const auto& [key, probe] : quantities.items()) {
-            summary.probes[name][key] = {number(probe.at("min")), number(probe.at("max")), number(probe.at("final")), number(probe.at("time_of_min_s")),
-                                         number(probe.at("time_of_max_s"))};
+            summary.probes[name][key] = {number(probe.at("min")), number(probe.at("max")), number(probe.at("final")),
+                                         number(probe.at("time_of_min_s")), number(probe.at("time_of_max_s"))};
         }
     }
     for (const auto& [name, gauge] : json.at("gauges").items()) {
         summary.gauges[name] = {number(gauge.at("peak_pressure_pa")), number(gauge.at("impulse_pa_s")), number(gauge.at("arrival_s"))};
     }
     for (const auto& [name, part] : json.at("parts").items()) {
-        summary.parts[name] = {vector_of(part.at("impulse_n_s")), number(part.at("max_plastic_strain")), number(part.at("kinetic_energy_j")),
-                               number(part.at("internal_energy_j"))};
+        summary.parts[name] = {vector_of(part.at("impulse_n_s")), number(part.at("max_plastic_strain")),
+                               number(part.at("kinetic_energy_j")), number(part.at("internal_energy_j"))};
     }
 }
 
@@ -205,23 +208,19 @@ std::string summary_key(const std::string& quantity, const std::string& unit)
 
 std::vector<Verdict> all_verdicts(const RunSummary& summary)
 {
-    std::vector<Verdict> verdicts{mass_verdict(summary.mass_error), momentum_verdict(summary.momentum_error), energy_verdict(summary.energy_error)};
+    std::vector<Verdict> verdicts{mass_verdict(summary.mass_error), momentum_verdict(summary.momentum_error),
+                                  energy_verdict(summary.energy_error)};
     verdicts.insert(verdicts.end(), summary.verdicts.begin(), summary.verdicts.end());
     return verdicts;
 }
 
 std::string summary_text(const RunSummary& summary)
 {
-    Json json{{"version", summary_version},
-              {"title", summary.title},
-              {"status", summary.status},
-              {"end_time_s", summary.end_time},
-              {"steps", summary.steps},
-              {"wall_s", summary.wall_seconds},
-              {"cpu_s", summary.cpu_seconds},
-              {"peak_memory_bytes", summary.peak_memory},
-              {"threads", summary.threads},
-              {"ranks", summary.ranks},
+    Json json{{"version", summary_version},   {"title", summary.title},
+              {"status", summary.status},     {"end_time_s", summary.end_time},
+              {"steps", summary.steps},       {"wall_s", summary.wall_seconds},
+              {"cpu_s", summary.cpu_seconds}, {"peak_memory_bytes", summary.peak_memory},
+              {"threads", summary.threads},   {"ranks", summary.ranks},
               {"seed", summary.seed}};
     json["counts"] = counts_of(summary);
     json["work"] = work_of(summary);
@@ -250,7 +249,8 @@ RunSummary read_summary(const std::filesystem::path& path)
         const Json json = Json::parse(read_file(path));
         const int version = json.at("version").get<int>();
         if (version != summary_version) {
-            throw InputError(fmt::format("'{}' has version {}, this program reads version {}", path.string(), version, summary_version), "use the program that wrote it");
+            throw InputError(fmt::format("'{}' has version {}, this program reads version {}", path.string(), version, summary_version),
+                             "use the program that wrote it");
         }
         RunSummary summary;
         read_run(json, summary);
@@ -260,7 +260,8 @@ RunSummary read_summary(const std::filesystem::path& path)
         read_bodies(json, summary);
         if (json.contains("verdicts")) read_verdicts(json.at("verdicts"), summary);
         for (const Json& entry : json.value("references", Json::array())) {
-            summary.references.push_back({entry.at("column").get<std::string>(), number(entry.at("value")), entry.at("label").get<std::string>()});
+            summary.references.push_back(
+                {entry.at("column").get<std::string>(), number(entry.at("value")), entry.at("label").get<std::string>()});
         }
         return summary;
     } catch (const nlohmann::json::exception& problem) {

@@ -71,11 +71,11 @@ struct RunSummary {
     std::uint64_t cell_steps = 0;
     std::vector<std::pair<std::string, double>> seconds;  ///< wall time of each phase, in the order of the step [s]
 
-    double mass_error = 0;      ///< relative
-    double momentum_error = 0;  ///< relative
-    double energy_error = 0;    ///< relative
-    std::vector<Transfer> transfers;        ///< who gave what to whom, summed over the run
-    std::vector<Verdict> verdicts;          ///< beyond those of the three errors: noise, resolution, ...
+    double mass_error = 0;            ///< relative
+    double momentum_error = 0;        ///< relative
+    double energy_error = 0;          ///< relative
+    std::vector<Transfer> transfers;  ///< who gave what to whom, summed over the run
+    std::vector<Verdict> verdicts;    ///< beyond those of the three errors: noise, resolution, ...
     std::vector<ReferenceValue> references;
 
     std::map<std::string, std::map<std::string, ProbeSummary>> probes;  ///< by probe, then by summary_key() of the quantity

@@ -65,7 +65,8 @@ void add_probes(RunSummary& summary, const HistoryTable& history, const std::vec
         const std::string owner = column_name(column.name).owner;
         if (std::find(probes.begin(), probes.end(), owner) == probes.end()) continue;
         const std::string quantity = column.name.substr(owner.empty() ? 0 : owner.size() + 1);
-        if (const auto result = extremes(history.times, history.values[i])) summary.probes[owner][summary_key(quantity, column.unit)] = *result;
+        if (const auto result = extremes(history.times, history.values[i]))
+            summary.probes[owner][summary_key(quantity, column.unit)] = *result;
     }
 }
 

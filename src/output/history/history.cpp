@@ -14,7 +14,8 @@ namespace corpuscle {
 History::History(const std::filesystem::path& path, std::vector<HistoryColumn> columns, std::ios::openmode mode)
     : path_(path), columns_(std::move(columns)), stream_(path, mode)
 {
-    if (!stream_) throw Error(fmt::format("cannot write '{}': {}", path.string(), std::strerror(errno)), "check that the folder is writable");
+    if (!stream_)
+        throw Error(fmt::format("cannot write '{}': {}", path.string(), std::strerror(errno)), "check that the folder is writable");
 }
 
 History::History(const std::filesystem::path& path, std::vector<HistoryColumn> columns) : History(path, std::move(columns), std::ios::trunc)
@@ -32,7 +33,8 @@ History History::resume(const std::filesystem::path& path, std::vector<HistoryCo
 
 void History::add(double time, std::span<const double> values)
 {
-    if (values.size() != columns_.size()) throw Error(fmt::format("a history of {} columns was given {} values", columns_.size(), values.size()));
+    if (values.size() != columns_.size())
+        throw Error(fmt::format("a history of {} columns was given {} values", columns_.size(), values.size()));
     std::string line = fmt::format("{}", time);
     for (const double value : values) {
         line += ',';

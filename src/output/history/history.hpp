@@ -19,8 +19,8 @@ public:
     /// Error if its columns are others.
     [[nodiscard]] static History resume(const std::filesystem::path& path, std::vector<HistoryColumn> columns, double time);
 
-    /// Adds a line: the time [s] and a value a column, NaN for what was not sampled (an empty cell). Throws Error if the number of values or the
-    /// disk does not fit.
+    /// Adds a line: the time [s] and a value a column, NaN for what was not sampled (an empty cell). Throws Error if the number of values
+    /// or the disk does not fit.
     void add(double time, std::span<const double> values);
 
     [[nodiscard]] const std::vector<HistoryColumn>& columns() const { return columns_; }

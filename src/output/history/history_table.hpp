@@ -17,9 +17,9 @@ struct HistoryColumn {
 
 /// What a history.csv holds.
 struct HistoryTable {
-    std::vector<HistoryColumn> columns;        ///< without the time
-    std::vector<double> times;                 ///< [s], growing
-    std::vector<std::vector<double>> values;   ///< one list a column, as long as `times`; NaN where nothing was sampled
+    std::vector<HistoryColumn> columns;       ///< without the time
+    std::vector<double> times;                ///< [s], growing
+    std::vector<std::vector<double>> values;  ///< one list a column, as long as `times`; NaN where nothing was sampled
 
     [[nodiscard]] const std::vector<double>* find(const std::string& name) const;
 };

@@ -24,13 +24,25 @@ std::string link_name(std::string name)
     return name;
 }
 
-std::string value_path(const std::string& name) { return "/values/" + link_name(name); }
+std::string value_path(const std::string& name)
+{
+    return "/values/" + link_name(name);
+}
 
-std::string set_path(const FieldSet& set) { return "/fields/" + link_name(set.name); }
+std::string set_path(const FieldSet& set)
+{
+    return "/fields/" + link_name(set.name);
+}
 
-std::string field_path(const FieldSet& set, const Field& field) { return set_path(set) + "/" + link_name(field.name); }
+std::string field_path(const FieldSet& set, const Field& field)
+{
+    return set_path(set) + "/" + link_name(field.name);
+}
 
-bool saved(const Field& field) { return static_cast<bool>(field.restore); }
+bool saved(const Field& field)
+{
+    return static_cast<bool>(field.restore);
+}
 
 /// Two things of one name could not be told apart when read back.
 void refuse_twins(const std::vector<FieldSet>& sets)
@@ -78,7 +90,8 @@ Hdf5File open_checked(const std::filesystem::path& path)
 
 [[noreturn]] void refuse(const std::filesystem::path& path, const std::string& what)
 {
-    throw InputError(fmt::format("the saved state '{}' does not fit the case: {}", path.string(), what), "resume with the case and the program version that saved it");
+    throw InputError(fmt::format("the saved state '{}' does not fit the case: {}", path.string(), what),
+                     "resume with the case and the program version that saved it");
 }
 
 }  // namespace
@@ -106,7 +119,8 @@ void write_restart(const std::filesystem::path& path, const RestartContent& cont
 RestartFile::RestartFile(const std::filesystem::path& path) : path_(path), file_(open_checked(path))
 {
     const std::int64_t version = file_.integer_attribute("/", "corpuscle_restart").front();
-    if (version != format_version) refuse(path_, fmt::format("its format is version {}, this program reads version {}", version, format_version));
+    if (version != format_version)
+        refuse(path_, fmt::format("its format is version {}, this program reads version {}", version, format_version));
     read_values();
 }
 
@@ -156,7 +170,8 @@ void RestartFile::compare(const std::vector<FieldSet>& sets) const
             if (!file_.has(path)) refuse(path_, fmt::format("'{}' has no field '{}'", set.name, field.name));
             const Hdf5Shape stored = file_.shape(path);
             const std::size_t components = stored.extents.size() > 1 ? stored.extents[1] : 1;
-            if (stored.type != hdf5_type(field.scalar) || components != static_cast<std::size_t>(field.components) || stored.extents.empty()) {
+            if (stored.type != hdf5_type(field.scalar) || components != static_cast<std::size_t>(field.components) ||
+                stored.extents.empty()) {
                 refuse(path_, fmt::format("field '{}' of '{}' is of another type", field.name, set.name));
             }
         }
@@ -164,7 +179,8 @@ void RestartFile::compare(const std::vector<FieldSet>& sets) const
     for (const std::string& set : file_.members("/fields")) {
         if (!expected.contains("/fields/" + set)) refuse(path_, fmt::format("the case has no '{}'", set));
         for (const std::string& field : file_.members("/fields/" + set)) {
-            if (!expected.contains("/fields/" + set + "/" + field)) refuse(path_, fmt::format("'{}' of the case has no field '{}'", set, field));
+            if (!expected.contains("/fields/" + set + "/" + field))
+                refuse(path_, fmt::format("'{}' of the case has no field '{}'", set, field));
         }
     }
 }

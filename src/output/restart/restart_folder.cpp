@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <optional>
+#include <ranges>
 #include <utility>
 
 #include "base/error.hpp"
@@ -59,9 +60,9 @@ std::filesystem::path RestartFolder::save(const RestartContent& content) const
 RestartFile RestartFolder::open_newest(std::vector<std::string>& remarks) const
 {
     const std::vector<std::filesystem::path> states = files();
-    for (auto state = states.rbegin(); state != states.rend(); ++state) {
+    for (const std::filesystem::path& state : std::views::reverse(states)) {
         try {
-            return RestartFile(*state);
+            return RestartFile(state);
         } catch (const InputError&) {
             throw;  // whole, but of another version: an older one will not fit either
         } catch (const Error& problem) {

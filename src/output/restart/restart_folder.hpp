@@ -21,7 +21,8 @@ public:
     /// The saved states, oldest first.
     [[nodiscard]] std::vector<std::filesystem::path> files() const;
 
-    /// Opens the newest state that is whole; what was wrong with newer ones is added to `remarks`, for the log. Throws InputError if there is none.
+    /// Opens the newest state that is whole; what was wrong with newer ones is added to `remarks`, for the log. Throws InputError if there
+    /// is none.
     [[nodiscard]] RestartFile open_newest(std::vector<std::string>& remarks) const;
 
 private:

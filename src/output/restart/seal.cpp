@@ -42,7 +42,8 @@ Footer footer_of(const std::filesystem::path& path, std::uint64_t length)
 
 [[noreturn]] void refuse(const std::filesystem::path& path, const char* what)
 {
-    throw Error(fmt::format("the saved state '{}' is not whole: {}", path.string(), what), "resume from an older one, or run the case anew");
+    throw Error(fmt::format("the saved state '{}' is not whole: {}", path.string(), what),
+                "resume from an older one, or run the case anew");
 }
 
 }  // namespace

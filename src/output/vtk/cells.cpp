@@ -25,11 +25,14 @@ std::uint8_t vtk_type(ElementShape shape)
 void check(const Field& nodes, const CellGrid& grid)
 {
     const bool fits = nodes.components == 3 && grid.offsets.size() == grid.types.size() + 1 && grid.offsets.front() == 0 &&
-                      grid.offsets.back() == static_cast<std::int64_t>(grid.connectivity.size()) && std::is_sorted(grid.offsets.begin(), grid.offsets.end());
+                      grid.offsets.back() == static_cast<std::int64_t>(grid.connectivity.size()) &&
+                      std::is_sorted(grid.offsets.begin(), grid.offsets.end());
     const auto count = static_cast<std::int64_t>(nodes.count);
-    const bool inside = std::all_of(grid.connectivity.begin(), grid.connectivity.end(), [count](std::int64_t node) { return node >= 0 && node < count; });
+    const bool inside =
+        std::all_of(grid.connectivity.begin(), grid.connectivity.end(), [count](std::int64_t node) { return node >= 0 && node < count; });
     if (!fits || !inside) {
-        throw Error(fmt::format("a grid of {} cells does not fit its {} nodes: offsets, cell types and node indices disagree", grid.types.size(), nodes.count));
+        throw Error(fmt::format("a grid of {} cells does not fit its {} nodes: offsets, cell types and node indices disagree",
+                                grid.types.size(), nodes.count));
     }
 }
 
@@ -50,7 +53,8 @@ CellGrid cell_grid(std::span<const MeshElement> elements)
     return grid;
 }
 
-void write_cells(const std::filesystem::path& path, const Field& nodes, const CellGrid& grid, const GridFields& fields, const VtkOptions& options)
+void write_cells(const std::filesystem::path& path, const Field& nodes, const CellGrid& grid, const GridFields& fields,
+                 const VtkOptions& options)
 {
     check(nodes, grid);
     const int gzip = options.gzip;

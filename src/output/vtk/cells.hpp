@@ -32,6 +32,7 @@ struct GridFields {
 
 /// Writes a mesh as one VTKHDF file: `nodes` [m] is a field of 3 components, float32 or float64. Throws Error if a field's count, the
 /// offsets or a node index do not fit.
-void write_cells(const std::filesystem::path& path, const Field& nodes, const CellGrid& grid, const GridFields& fields, const VtkOptions& options = {});
+void write_cells(const std::filesystem::path& path, const Field& nodes, const CellGrid& grid, const GridFields& fields,
+                 const VtkOptions& options = {});
 
 }  // namespace corpuscle

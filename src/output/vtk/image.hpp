@@ -21,8 +21,8 @@ struct ImageGrid {
 /// many values as there are points), and values at centres can be contoured and interpolated as they are.
 [[nodiscard]] ImageGrid cell_centers(const std::array<std::int64_t, 3>& cells, const Vector3d& lowest_corner, const Vector3d& cell_size);
 
-/// Writes fields on the points of a regular grid as one VTKHDF file; values run with x fastest, then y, then z. Throws Error if a field's count
-/// is not nx * ny * nz or the grid is empty.
+/// Writes fields on the points of a regular grid as one VTKHDF file; values run with x fastest, then y, then z. Throws Error if a field's
+/// count is not nx * ny * nz or the grid is empty.
 void write_image(const std::filesystem::path& path, const ImageGrid& grid, const FieldSet& fields, const VtkOptions& options = {});
 
 }  // namespace corpuscle

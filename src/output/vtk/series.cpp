@@ -30,7 +30,7 @@ std::vector<VtkSeries::Entry> read_list(const std::filesystem::path& path)
 
 }  // namespace
 
-VtkSeries::VtkSeries(std::filesystem::path folder, std::string family) : folder_(std::move(folder)), family_(vtk_name(family)) {}
+VtkSeries::VtkSeries(std::filesystem::path folder, const std::string& family) : folder_(std::move(folder)), family_(vtk_name(family)) {}
 
 std::filesystem::path VtkSeries::list() const
 {

@@ -17,7 +17,7 @@ public:
     };
 
     /// A new family in an existing folder.
-    VtkSeries(std::filesystem::path folder, std::string family);
+    VtkSeries(std::filesystem::path folder, const std::string& family);
 
     /// Takes up the family's list as it stands on the disk: entries after `time` [s] (of steps that will be done again) are dropped and
     /// their files removed. A family that has no list yet starts anew. Throws Error if the list cannot be understood.

@@ -43,7 +43,8 @@ TEST(Checksum, SeesEveryBitAndEveryLength)
         changed[i / 8] = static_cast<char>(changed[i / 8] ^ (1 << (i % 8)));
         EXPECT_TRUE(seen.insert(checksum(changed, 100)).second) << "bit " << i;
     }
-    for (std::size_t length = 0; length < 100; ++length) EXPECT_TRUE(seen.insert(checksum(std::string(length, '\0'), 100)).second) << length;
+    for (std::size_t length = 0; length < 100; ++length)
+        EXPECT_TRUE(seen.insert(checksum(std::string(length, '\0'), 100)).second) << length;
 }
 
 TEST(ReplaceFile, ReplacesWholly)

@@ -33,7 +33,8 @@ TEST(History, WritesUnitsNumbersAndGaps)
     History history(folder / "history.csv", columns);
     add(history, 0, 0, nothing);
     add(history, 1e-5, -0.1, 101325);
-    EXPECT_EQ(read_file(folder / "history.csv"), "time [s],center.displacement_z [m],\"wall, left.pressure [Pa]\"\n0,0,\n1e-05,-0.1,101325\n");
+    EXPECT_EQ(read_file(folder / "history.csv"),
+              "time [s],center.displacement_z [m],\"wall, left.pressure [Pa]\"\n0,0,\n1e-05,-0.1,101325\n");
 }
 
 TEST(History, ReadsBackWhatItWrote)

@@ -33,10 +33,11 @@ struct Body {
 
     FieldSet state()
     {
-        return {"gas/one",
-                {stored_field("f", "1", "", f), stored_field("d", "1", "", d), stored_field("b", "1", "", b), stored_field("i", "1", "", i),
-                 stored_field("u", "1", "", u), stored_field("l", "1", "", l), stored_field("vf", "m", "", vf), stored_field("vd", "m", "", vd),
-                 derived_field<double>("derived", "1", "", 3, [](std::size_t n) { return static_cast<double>(n); })}};
+        return {
+            "gas/one",
+            {stored_field("f", "1", "", f), stored_field("d", "1", "", d), stored_field("b", "1", "", b), stored_field("i", "1", "", i),
+             stored_field("u", "1", "", u), stored_field("l", "1", "", l), stored_field("vf", "m", "", vf), stored_field("vd", "m", "", vd),
+             derived_field<double>("derived", "1", "", 3, [](std::size_t n) { return static_cast<double>(n); })}};
     }
 };
 
@@ -47,7 +48,9 @@ Body full_body()
 
 RestartContent content_of(Body& body, double time = 0.25)
 {
-    return {{{"time", time}, {"step", std::uint64_t{12345678901234567U}}, {"title", std::string("a \"plate\"\nμ")}, {"empty", std::string()}}, {body.state()}};
+    return {
+        {{"time", time}, {"step", std::uint64_t{12345678901234567U}}, {"title", std::string("a \"plate\"\nμ")}, {"empty", std::string()}},
+        {body.state()}};
 }
 
 /// What the Error of `act` says; an empty text (and a failure) if there is none.
@@ -172,7 +175,8 @@ TEST(RestartFile, SeesEveryKindOfDamage)
         EXPECT_THAT(damaged([&](const auto& path) { flip_byte(path, position); }), HasSubstr("not whole")) << "byte " << position;
     }
     for (const std::uintmax_t length : {std::uintmax_t{0}, std::uintmax_t{10}, size / 2, size - 1}) {
-        EXPECT_THAT(damaged([&](const auto& path) { std::filesystem::resize_file(path, length); }), HasSubstr("not whole")) << length << " bytes";
+        EXPECT_THAT(damaged([&](const auto& path) { std::filesystem::resize_file(path, length); }), HasSubstr("not whole"))
+            << length << " bytes";
     }
     EXPECT_THAT(damaged([](const auto& path) { std::ofstream(path, std::ios::app) << "more"; }), HasSubstr("not whole"));
 }

@@ -10,6 +10,7 @@
 #include "output/vtk/image.hpp"
 #include "output/vtk/points.hpp"
 #include "output/vtk/series.hpp"
+#include "output/vtk/view_script.hpp"
 #include "scratch_folder.hpp"
 
 namespace corpuscle {
@@ -82,7 +83,8 @@ TEST(WriteCells, WritesAMixedMesh)
                                       {ElementShape::hexahedron, {0, 1, 2, 3, 4, 5, 6, 7}}};
     std::vector<double> stress{1, 2, 3, 4};
     std::vector<Vector3d> velocity(8, {1, 0, -1});
-    const GridFields fields{{"nodes", {stored_field("velocity", "m/s", "", velocity)}}, {"elements", {stored_field("von_mises", "Pa", "", stress)}}};
+    const GridFields fields{{"nodes", {stored_field("velocity", "m/s", "", velocity)}},
+                            {"elements", {stored_field("von_mises", "Pa", "", stress)}}};
     write_cells(folder / "plate.hdf", stored_field("position", "m", "", nodes), cell_grid(elements), fields);
 
     const Hdf5File file = Hdf5File::open(folder / "plate.hdf");
@@ -190,6 +192,16 @@ TEST(VtkSeries, ResumesFromNothingAndRefusesNonsense)
     EXPECT_THAT(series.entries(), IsEmpty());
     std::ofstream(series.list()) << "{ \"files\": 3";
     EXPECT_THROW(series.resume(1), Error);
+}
+
+TEST(ViewScript, KnowsItsFolder)
+{
+    const ScratchFolder folder;
+    std::filesystem::create_directories(folder / "a \"b\"");
+    write_view_script(folder / "a \"b\"");
+    const std::string script = read_file(folder / "a \"b\"/view.py");
+    EXPECT_TRUE(script.starts_with("WRITTEN_IN = \"" + folder.path().string() + "/a \\\"b\\\"\"\n")) << script;
+    EXPECT_THAT(script, HasSubstr("*.hdf.series"));
 }
 
 }  // namespace

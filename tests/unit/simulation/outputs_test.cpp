@@ -88,6 +88,24 @@ TEST(Outputs, FinishWritesTheLastStateOnce)
     EXPECT_THAT(read_file(outputs.folder().log()), HasSubstr("state saved in state_000002.hdf"));
 }
 
+TEST(Outputs, WritesEverythingInTheLastStepIfItKnowsTheEnd)
+{
+    const ScratchFolder folder;
+    Counter counter;
+    OutputPlan plan = counter.plan();
+    plan.end_time = 0.23;
+    Outputs outputs(made(folder), plan);
+    outputs.write_due(counter.clock);
+    for (int i = 0; i < 23; ++i) counter.step(outputs, 0.01);
+    EXPECT_NEAR(read_history(outputs.folder().history()).values[1].back(), 0.23, 1e-12);
+    const std::string history = read_file(outputs.folder().history());
+    const std::string list = read_file(outputs.folder().fields() / "dots.hdf.series");
+    outputs.finish(counter.clock);
+    EXPECT_EQ(read_file(outputs.folder().history()), history);
+    EXPECT_EQ(read_file(outputs.folder().fields() / "dots.hdf.series"), list);
+    EXPECT_TRUE(std::filesystem::exists(outputs.folder().fields() / "view.py"));
+}
+
 TEST(Outputs, ResumedRunLeavesTheSameFilesAsOneThatNeverStopped)
 {
     const ScratchFolder one;

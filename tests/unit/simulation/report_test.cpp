@@ -53,7 +53,8 @@ TEST(Report, RefersToNothingOutsideItself)
 {
     const std::string page = report_page(sample_run());
     EXPECT_FALSE(std::regex_search(page, std::regex(R"((src|href|action)\s*=)", std::regex::icase)));
-    for (const char* outside : {"http:", "https:", "//cdn", "@import", "url(", "<link", "<iframe", "<img", "fetch(", "XMLHttpRequest", "import("}) {
+    for (const char* outside :
+         {"http:", "https:", "//cdn", "@import", "url(", "<link", "<iframe", "<img", "fetch(", "XMLHttpRequest", "import("}) {
         EXPECT_EQ(page.find(outside), std::string::npos) << outside;
     }
 }
@@ -62,7 +63,8 @@ TEST(Report, ShowsVerdictsWithNumberAndLimit)
 {
     ReportData data = sample_run();
     std::string page = report_page(data);
-    for (const char* name : {"Mass", "Momentum", "Energy", "Noise", "Resolution"}) EXPECT_THAT(page, HasSubstr("<h3>" + std::string(name) + "</h3>"));
+    for (const char* name : {"Mass", "Momentum", "Energy", "Noise", "Resolution"})
+        EXPECT_THAT(page, HasSubstr("<h3>" + std::string(name) + "</h3>"));
     EXPECT_EQ(count(page, "check pass"), 4U);
     EXPECT_EQ(count(page, "check warn"), 1U);  // resolution 0.09 / 0.7 over 0.1
     EXPECT_THAT(page, HasSubstr("0.31 %</div><p>limit 1 %"));
@@ -76,7 +78,8 @@ TEST(Report, DrawsEveryQuantityOnce)
 {
     const std::string page = report_page(sample_run());
     EXPECT_EQ(count(page, "<figure class=\"chart\">"), 6U);
-    for (const char* title : {"Displacement", "Energy", "Energy, the smaller shares", "Pressure", "Impulse", "Velocity"}) EXPECT_THAT(page, HasSubstr("<b>" + std::string(title) + "</b>"));
+    for (const char* title : {"Displacement", "Energy", "Energy, the smaller shares", "Pressure", "Impulse", "Velocity"})
+        EXPECT_THAT(page, HasSubstr("<b>" + std::string(title) + "</b>"));
     EXPECT_EQ(count(page, "<path class=\"curve"), 7U);  // x and y displacements are negligible
     EXPECT_THAT(page, HasSubstr("time [ms]"));
     EXPECT_THAT(page, HasSubstr("[mm]"));
@@ -99,7 +102,9 @@ TEST(Report, EscapesWhatTheCaseSays)
 TEST(Report, SaysWhatItCostAndHowToRepeatIt)
 {
     const std::string page = report_page(sample_run());
-    EXPECT_THAT(page, HasSubstr("3 ms of time in 1,234 steps, with 20,000 particles (17,600 air, 2,400 tnt) and 512 elements: 14.2 s on 2 threads."));
+    EXPECT_THAT(
+        page,
+        HasSubstr("3 ms of time in 1,234 steps, with 20,000 particles (17,600 air, 2,400 tnt) and 512 elements: 14.2 s on 2 threads."));
     EXPECT_THAT(page, HasSubstr("corpuscle run case.toml --threads 2"));
     EXPECT_THAT(page, HasSubstr("Seed 7."));
     EXPECT_THAT(page, HasSubstr("end_time = &quot;3 ms&quot;"));

@@ -16,9 +16,9 @@
 namespace corpuscle {
 namespace {
 
+using nlohmann::json;
 using testing::ElementsAre;
 using testing::HasSubstr;
-using nlohmann::json;
 
 /// Names of an object's members, in alphabetical order.
 std::vector<std::string> keys(const json& object)
@@ -43,15 +43,19 @@ TEST(Summary, HasThePromisedKeys)
     EXPECT_EQ(summary.at("ranks"), 1);
     EXPECT_EQ(summary.at("seed"), 7);
     EXPECT_EQ(summary.at("counts"), json::parse(R"({"particles": {"tnt": 2400, "air": 17600}, "elements": 512, "grains": 0, "cells": 0})"));
-    EXPECT_EQ(summary.at("work"), json::parse(R"({"particle_steps": 24680000, "element_steps": 631808, "grain_steps": 0, "cell_steps": 0})"));
+    EXPECT_EQ(summary.at("work"),
+              json::parse(R"({"particle_steps": 24680000, "element_steps": 631808, "grain_steps": 0, "cell_steps": 0})"));
     EXPECT_EQ(summary.at("seconds").at("collide"), 5.5);
     EXPECT_EQ(summary.at("ledger").at("mass_error"), 0);
     EXPECT_EQ(summary.at("ledger").at("momentum_error"), 2.5e-7);
     EXPECT_EQ(summary.at("ledger").at("energy_error"), -3.1e-3);
-    EXPECT_THAT(keys(summary.at("probes").at("center").at("displacement_z_m")), ElementsAre("final", "max", "min", "time_of_max_s", "time_of_min_s"));
+    EXPECT_THAT(keys(summary.at("probes").at("center").at("displacement_z_m")),
+                ElementsAre("final", "max", "min", "time_of_max_s", "time_of_min_s"));
     EXPECT_THAT(keys(summary.at("gauges").at("wall")), ElementsAre("arrival_s", "impulse_pa_s", "peak_pressure_pa"));
-    EXPECT_EQ(summary.at("parts").at("plate"),
-              json::parse(R"({"impulse_n_s": [0.1, -0.2, -1650], "max_plastic_strain": 0.0123, "kinetic_energy_j": 4.5e4, "internal_energy_j": 8.9e4})"));
+    EXPECT_EQ(
+        summary.at("parts").at("plate"),
+        json::parse(
+            R"({"impulse_n_s": [0.1, -0.2, -1650], "max_plastic_strain": 0.0123, "kinetic_energy_j": 4.5e4, "internal_energy_j": 8.9e4})"));
     EXPECT_EQ(summary.at("ledger").at("transfers").at(0).at("from"), "gas");
     EXPECT_EQ(summary.at("verdicts").size(), 5U);
 }
