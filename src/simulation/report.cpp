@@ -28,7 +28,8 @@ ReportData read_report_data(const std::filesystem::path& run_folder)
 {
     const RunFolder folder(run_folder);
     if (!std::filesystem::exists(folder.summary())) {
-        throw InputError(fmt::format("'{}' holds no finished run: there is no summary.json", run_folder.string()), "give the folder a run wrote its results to");
+        throw InputError(fmt::format("'{}' holds no finished run: there is no summary.json", run_folder.string()),
+                         "give the folder a run wrote its results to");
     }
     ReportData data;
     data.summary = read_summary(folder.summary());
@@ -41,11 +42,12 @@ std::string report_page(const ReportData& data)
 {
     const RunSummary& summary = data.summary;
     std::string page = fmt::format(
-        "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">"
+        "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
+        "content=\"width=device-width,initial-scale=1\">"
         "<title>{}</title>\n<style>{}</style></head><body><main>\n",
         escaped(summary.title), report_style());
-    page += report_header(summary) + report_tiles(summary) + report_verdicts(summary) + charts_section(data) + report_results(summary) + report_ledger(summary) +
-            report_cost(summary) + report_repeat(summary, data.resolved_case);
+    page += report_header(summary) + report_tiles(summary) + report_verdicts(summary) + charts_section(data) + report_results(summary) +
+            report_ledger(summary) + report_cost(summary) + report_repeat(summary, data.resolved_case);
     page += fmt::format("<footer>Written by {}. SI units unless a unit is written.</footer>\n</main><script>{}</script></body></html>\n",
                         escaped(summary.program.empty() ? "corpuscle" : summary.program), report_script());
     return page;

@@ -69,7 +69,8 @@ void RunFolder::check(Existing existing) const
     if (!fs::is_directory(present)) refuse(path_, fmt::format("'{}' is a file", present.string()));
     if (::access(present.c_str(), W_OK | X_OK) != 0) refuse(path_, fmt::format("'{}': {}", present.string(), std::strerror(errno)));
     if (existing == Existing::refuse && has_results()) {
-        throw InputError(fmt::format("'{}' holds the results of an earlier run", path_.string()), "choose another folder with --out, or replace them with --force");
+        throw InputError(fmt::format("'{}' holds the results of an earlier run", path_.string()),
+                         "choose another folder with --out, or replace them with --force");
     }
 }
 

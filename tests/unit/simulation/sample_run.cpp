@@ -27,7 +27,8 @@ std::vector<double> line(int i)
     const double impulse = 8.5e3 * (1 - std::exp(-after / 0.08e-3));
     const bool gauge = i % 2 == 0;
     const double given = 2e5 * (1 - std::exp(-after / 0.3e-3));
-    return {0, 1e-9, -deflection, -velocity, gauge ? pressure : nothing, gauge ? impulse : nothing, 68.2e6 - given, given * 0.4, given * 0.6};
+    return {0,           1e-9,       -deflection, -velocity, gauge ? pressure : nothing, gauge ? impulse : nothing, 68.2e6 - given,
+            given * 0.4, given * 0.6};
 }
 
 }  // namespace
@@ -35,9 +36,15 @@ std::vector<double> line(int i)
 ReportData sample_run()
 {
     ReportData data;
-    data.history.columns = {{"center.displacement_x", "m"}, {"center.displacement_y", "m"}, {"center.displacement_z", "m"},
-                            {"center.velocity_z", "m/s"},   {"wall.pressure", "Pa"},        {"wall.impulse", "Pa s"},
-                            {"energy.gas", "J"},            {"energy.kinetic", "J"},        {"energy.internal", "J"}};
+    data.history.columns = {{"center.displacement_x", "m"},
+                            {"center.displacement_y", "m"},
+                            {"center.displacement_z", "m"},
+                            {"center.velocity_z", "m/s"},
+                            {"wall.pressure", "Pa"},
+                            {"wall.impulse", "Pa s"},
+                            {"energy.gas", "J"},
+                            {"energy.kinetic", "J"},
+                            {"energy.internal", "J"}};
     data.history.values.resize(data.history.columns.size());
     for (int i = 0; i <= 600; ++i) {
         data.history.times.push_back(3e-3 * i / 600);
@@ -59,7 +66,8 @@ ReportData sample_run()
     summary.elements = 512;
     summary.particle_steps = 24'680'000;
     summary.element_steps = 631'808;
-    summary.seconds = {{"burn", 0.1}, {"accelerate", 0.2}, {"collide", 5.5}, {"fly", 5.25}, {"contact", 1.5}, {"resist", 0.75}, {"ledger", 0.125}, {"outputs", 0.5}};
+    summary.seconds = {{"burn", 0.1},    {"accelerate", 0.2}, {"collide", 5.5},  {"fly", 5.25},
+                       {"contact", 1.5}, {"resist", 0.75},    {"ledger", 0.125}, {"outputs", 0.5}};
     summary.mass_error = 0;
     summary.momentum_error = 2.5e-7;
     summary.energy_error = -3.1e-3;

@@ -14,7 +14,8 @@ public:
     ScratchFolder()
     {
         static std::atomic<int> number{0};
-        path_ = std::filesystem::temp_directory_path() / ("corpuscle_run_test_" + std::to_string(::getpid()) + "_" + std::to_string(number++));
+        path_ =
+            std::filesystem::temp_directory_path() / ("corpuscle_run_test_" + std::to_string(::getpid()) + "_" + std::to_string(number++));
         std::filesystem::create_directories(path_);
     }
     ScratchFolder(const ScratchFolder&) = delete;
