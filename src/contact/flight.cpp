@@ -71,6 +71,10 @@ void FlightPath::advance(Flight& flight, Particle& particle) const
             continue;
         }
         flight.goal = goal_of(flight, particle);
+        if (flight.facet >= 0 && !parts_from_facet(flight)) {
+            flight.state = Flight::State::settling;
+            continue;
+        }
         flight.hit = tree_.first_hit(flight.place, flight.goal, flight.fraction, end_of_leg(flight), flight.facet);
         const Domain::Exit exit = domain_.first_exit(flight.place, flight.goal);
         const bool at_facet = flight.hit.facet >= 0 && !(exit.face >= 0 && exit.fraction < flight.hit.fraction);
@@ -88,6 +92,14 @@ Vector3d FlightPath::goal_of(const Flight& flight, const Particle& particle) con
     Vector3d goal = rounded(flight.place + way);
     keep_inside_unless_outbound(flight.place, goal);
     return goal;
+}
+
+/// Whether the leg as rounded leads away from the facet just left, by more than rounding can undo; else the facet carries the particle.
+bool FlightPath::parts_from_facet(const Flight& flight) const
+{
+    const double end = end_of_leg(flight);
+    const Vector3d carried = weighted(tree_.corners(flight.facet, end), flight.left.weight) - weighted(tree_.corners(flight.facet, flight.fraction), flight.left.weight);
+    return dot(flight.goal - flight.place - carried, flight.left.normal) > 0.25 * push_;
 }
 
 /// The nearest float position; a place in the domain stays in it.
@@ -120,19 +132,12 @@ void FlightPath::step_back(Flight& flight) const
     ++flight.meetings;
 }
 
-void FlightPath::leave_facet(Flight& flight, const Particle& particle) const
+void FlightPath::leave_facet(Flight& flight) const
 {
     step_back(flight);
     flight.facet = flight.hit.facet;
-    double parting = 0;
-    if (flight.displaced) {
-        flight.displacement = mirrored(flight.displacement, flight.hit.normal);
-        parting = dot(flight.displacement, flight.hit.normal);
-    } else {
-        const Vector3d carried = weighted(tree_.corners(flight.facet, 1), flight.hit.weight) - weighted(tree_.corners(flight.facet, 0), flight.hit.weight);
-        parting = dot(duration_ * Vector3d(particle.velocity) - carried, flight.hit.normal);
-    }
-    if (parting <= 0) flight.state = Flight::State::settling;
+    flight.left = {flight.hit.weight, flight.hit.normal};
+    flight.displacement = mirrored(flight.displacement, flight.hit.normal);
 }
 
 void FlightPath::leave_face(Flight& flight) const
@@ -144,8 +149,7 @@ void FlightPath::leave_face(Flight& flight) const
 
 void FlightPath::settle_on_facet(Flight& flight) const
 {
-    step_back(flight);
-    flight.facet = flight.hit.facet;
+    leave_facet(flight);
     flight.state = Flight::State::settling;
 }
 
@@ -166,10 +170,10 @@ void FlightPath::arrive(Flight& flight, Particle& particle, const Vector3d& at) 
 void FlightPath::settle(Flight& flight, Particle& particle) const
 {
     const std::array<Vector3d, 3> then = tree_.corners(flight.facet, flight.fraction), corners = tree_.corners(flight.facet, end_of_leg(flight));
-    const double side = dot(unit_normal(then), flight.hit.normal) < 0 ? -1 : 1;
+    const double side = dot(unit_normal(then), flight.left.normal) < 0 ? -1 : 1;
     const Vector3d normal = side * unit_normal(corners);
     for (const double inward : {0.0, 0.001, 0.01, 0.1, 0.5, 1.0}) {
-        std::array<double, 3> weight = flight.hit.weight;
+        std::array<double, 3> weight = flight.left.weight;
         for (double& w : weight) w += inward * (1.0 / 3 - w);
         for (const double off : {1.0, 4.0, 32.0}) {
             const Vector3d place = rounded(weighted(corners, weight) + off * push_ * normal);
@@ -177,7 +181,7 @@ void FlightPath::settle(Flight& flight, Particle& particle) const
         }
     }
     flight.trapped = true;
-    arrive(flight, particle, rounded(weighted(corners, flight.hit.weight) + push_ * normal));
+    arrive(flight, particle, rounded(weighted(corners, flight.left.weight) + push_ * normal));
 }
 
 /// Whether a place lies in the domain, on the particle's side of the facet it left, and behind no other.

@@ -26,6 +26,10 @@ struct Flight {
     Vector3d place;              ///< where the leg begins: never on or behind a facet [m]
     Vector3d goal;               ///< where it ends if nothing is met; a float position [m]
     std::int64_t facet = -1;     ///< just left
+    struct {
+        std::array<double, 3> weight{};
+        Vector3d normal;         ///< towards the particle's side
+    } left;                      ///< where on it, as it was met
     FacetTree::Hit hit;          ///< facet met, if `face` is -1
     int face = -1;               ///< face of the domain met
     double met_at = 1;           ///< fraction of the leg
@@ -44,8 +48,8 @@ public:
     /// Goes on until a facet or face is met (see `hit` and `face`) or the flight has arrived, which moves the particle.
     void advance(Flight& flight, Particle& particle) const;
 
-    /// Turns the rest of the way at the facet met, as the particle's velocity has been turned; settles if the facet keeps up with it.
-    void leave_facet(Flight& flight, const Particle& particle) const;
+    /// Turns the rest of the way at the facet met, as the particle's velocity has been turned.
+    void leave_facet(Flight& flight) const;
 
     /// Turns the rest of the way at the rigid face met.
     void leave_face(Flight& flight) const;
@@ -57,6 +61,7 @@ private:
     [[nodiscard]] double end_of_leg(const Flight& flight) const { return flight.displaced ? 0.0 : 1.0; }
     [[nodiscard]] Vector3d goal_of(const Flight& flight, const Particle& particle) const;
     [[nodiscard]] Vector3d rounded(const Vector3d& point) const;
+    [[nodiscard]] bool parts_from_facet(const Flight& flight) const;
     void keep_inside_unless_outbound(const Vector3d& place, Vector3d& goal) const;
     void step_back(Flight& flight) const;
     void arrive(Flight& flight, Particle& particle, const Vector3d& at) const;

@@ -71,7 +71,7 @@ void GasStructureContact::meet_facet(Flight& flight, const FlightPath& path, Tra
     const double closing = closing_velocity(flight);
     if (flight.meetings >= meeting_limit || (!flight.displaced && closing <= 0)) return path.settle_on_facet(flight);
     bounce(flight, closing, given);
-    path.leave_facet(flight, gas_.particles[flight.particle]);
+    path.leave_facet(flight);
 }
 
 /// Speed at which the particle comes towards the facet, with all impulses so far [m/s].
