@@ -334,7 +334,7 @@ private:
             return;
         }
         particle.position += path;
-        keep_in_domain(gas_, particle, tally.passages);
+        mirror_at_rigid_faces(gas_, particle, tally.passages);
     }
 
     Gas& gas_;

@@ -30,8 +30,8 @@ inline bool meet_face(const Gas& gas, Particle& particle, int face, FacePassages
     return true;
 }
 
-/// Brings a particle that has moved out of the domain back as its mirror image in the rigid faces it crossed, or lets it go.
-inline void keep_in_domain(const Gas& gas, Particle& particle, FacePassages& passages)
+/// Turns a particle that has moved beyond rigid faces back into its mirror image; leaves it where it is beyond others.
+inline void mirror_at_rigid_faces(const Gas& gas, Particle& particle, FacePassages& passages)
 {
     const Box& box = gas.domain.box;
     for (int axis = 0; axis < 3; ++axis) {
@@ -39,10 +39,22 @@ inline void keep_in_domain(const Gas& gas, Particle& particle, FacePassages& pas
             const double place = static_cast<double>(particle.position[axis]);
             const bool below = place < box.lower[axis];
             if (!below && !(place > box.upper[axis])) break;
-            if (!meet_face(gas, particle, 2 * axis + (below ? 0 : 1), passages)) return;
+            const int face = 2 * axis + (below ? 0 : 1);
+            if (gas.domain.edges[face] != Edge::rigid) break;
+            meet_face(gas, particle, face, passages);
             particle.position[axis] = static_cast<float>(2 * (below ? box.lower[axis] : box.upper[axis]) - place);
         }
     }
+}
+
+/// Brings a particle that has moved out of the domain back at the rigid faces it crossed, or lets it go at any other.
+inline void keep_in_domain(const Gas& gas, Particle& particle, FacePassages& passages)
+{
+    const Vector3d place(particle.position);
+    if (gas.domain.box.contains(place)) return;
+    mirror_at_rigid_faces(gas, particle, passages);
+    const Domain::Exit exit = gas.domain.first_exit(place, Vector3d(particle.position));
+    if (exit.face >= 0) meet_face(gas, particle, exit.face, passages);
 }
 
 }  // namespace corpuscle

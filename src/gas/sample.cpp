@@ -180,6 +180,19 @@ Field particle_field(Gas& gas, std::string name, std::string unit, Get get, Set 
     return field;
 }
 
+/// A field of a few numbers kept in place.
+Field array_field(std::string name, std::string unit, std::string meaning, double* values, std::size_t count)
+{
+    Field field = derived_field<double>(std::move(name), std::move(unit), std::move(meaning), count, [values](std::size_t i) { return values[i]; });
+    field.restore = [values](const void* saved, std::size_t saved_count) {
+        const double* first = static_cast<const double*>(saved);
+        std::copy(first, first + saved_count, values);
+    };
+    return field;
+}
+
+static_assert(sizeof(Passage) == 5 * sizeof(double));
+
 }  // namespace
 
 FieldSet state(Gas& gas)
@@ -190,6 +203,17 @@ FieldSet state(Gas& gas)
     add(particle_field<Vector3f>(gas, "velocity", "m/s", [](const Particle& p) { return p.velocity; }, [](Particle& p, const Vector3f& v) { p.velocity = v; }));
     add(particle_field<float>(gas, "energy", "J", [](const Particle& p) { return p.energy; }, [](Particle& p, float v) { p.energy = v; }));
     add(particle_field<std::uint32_t>(gas, "tag", "1", [](const Particle& p) { return p.tag; }, [](Particle& p, std::uint32_t v) { p.tag = v; }));
+    set.fields.push_back(array_field("inflow_debt", "1", "particles owed by ambient edges", gas.inflow_debt.data(), gas.inflow_debt.size()));
+    set.fields.push_back(array_field("passages", "SI", "mass, momentum and energy given to each face", &gas.passages.face[0].mass, 5 * face_count));
+    const Field tags = set.fields[3];
+    set.fields[3].restore = [&gas, tags](const void* values, std::size_t count) {
+        tags.restore(values, count);
+        for (Charge& charge : gas.charges) charge.unburnt = 0;
+        for (const Particle& particle : gas.particles) {
+            if (particle.tag & particle_tag::unburnt) ++gas.charges[particle_tag::charge(particle.tag)].unburnt;
+        }
+        gas.cells.buckets.clear();
+    };
     return set;
 }
 

@@ -50,7 +50,12 @@ struct Codec {
         parameter.kind = "table";
         parameter.table = &table_of<T>;
     }
-    static void read(T& target, const Value& value, const Parameter&, Problems& problems) { read_table(&target, table_of<T>(), value, problems); }
+    /// A table that is given starts from its own defaults, whatever stands in the member when it is not given.
+    static void read(T& target, const Value& value, const Parameter&, Problems& problems)
+    {
+        target = T{};
+        read_table(&target, table_of<T>(), value, problems);
+    }
     static std::optional<Value> write(const T& source, const Parameter&) { return write_table(&source, table_of<T>()); }
 };
 

@@ -28,7 +28,7 @@ def mesh_file(nodes, elements):
     return "\n".join(lines + ["$EndElements", ""])
 
 
-TANGLED = mesh_file([(0, 0, 0), (0.1, 0, 0), (0.1, 0.1, 0), (0, 0.1, 0)], [(1, 2, 4, 3)])
+TANGLED = mesh_file([(0, 0, 0), (0.1, 0, 0), (0.02, 0.02, 0), (0, 0.1, 0)], [(1, 2, 3, 4)])
 FLAT = mesh_file([(0, 0, 0), (0.1, 0, 0), (0.2, 0, 0), (0.3, 0, 0)], [(1, 2, 3, 4)])
 GOOD = mesh_file([(0, 0, 0), (0.1, 0, 0), (0.1, 0.1, 0), (0, 0.1, 0)], [(1, 2, 3, 4)])
 DISK = "mesh = { disk = { radius = \"200 mm\", element_size = \"40 mm\", quarter = true } }"
@@ -60,7 +60,7 @@ MISTAKES = [
     ("too few particles", replaced("2_000", "1"), r"case\.toml:13:13: the gas '\w+' .* gets no particles; expected more"),
     ("more memory than there is", replaced("2_000", "4_000_000_000"), r"case\.toml:13:13: \d+ particles .* need about .*, this machine has .*; expected at most"),
     ("missing charge", replaced(CHARGE, ""), r"case\.toml:\d+:\d+: there is gas but no \[\[charge\]\].*expected a \[\[charge\]\]"),
-    ("charge without gas", CASE[:CASE.index("[gas]")] + CASE[CASE.index("[[part]]"):], r"case\.toml:4:\d+: there is a \[\[charge\]\] but no \[gas\]; expected"),
+    ("charge without gas", CASE[:CASE.index("[gas]")] + CASE[CASE.index("[[part]]"):], r"case\.toml:4:\d+: there is a \[\[charge\]\] but no \[gas\].*; expected"),
     ("charge without mass", replaced("mass = \"1 kg\"\n", ""), r"case\.toml:4:\d+: the charge has a form but no mass; expected mass and center"),
     ("charge overlapping the plate", replaced("center = [0, 0, \"300 mm\"]", "center = [0, 0, \"20 mm\"]"), r"case\.toml:8:10: the charge overlaps part 'plate' near .*; move"),
     ("charge outside the box", replaced("center = [0, 0, \"300 mm\"]", "center = [0, 0, \"3000 mm\"]"), r"case\.toml:8:10: the charge, .*, lies outside the gas box; expected"),
@@ -83,7 +83,7 @@ MISTAKES = [
     ("load on no part", CASE + "\n[[load]]\nconwep = { mass = 1, center = [0, 0, 0.3] }\npart = \"plat\"\n", r"case\.toml:\d+:8: there is no part 'plat'; did you mean 'plate'"),
     ("gauge on an open face", CASE + "\n[[gauge]]\nname = \"g\"\nface = \"z+\"\nevery = \"1 us\"\n", r"case\.toml:\d+:8: gauge 'g' is on a face .* not rigid; expected"),
     ("box upside down", replaced("[\"-100 mm\", \"600 mm\"]", "[\"600 mm\", \"-100 mm\"]"), r"case\.toml:11:7: the gas box runs from .* along z; expected the lower end first"),
-    ("two values for one key", replaced("title = \"a small plate\"", "title = \"a\"\ntitle = \"b\""), r"case\.toml:2:1: .*(title|redefin)"),
+    ("two values for one key", replaced("title = \"a small plate\"", "title = \"a\"\ntitle = \"b\""), r"case\.toml:2:\d+: .*redefine.*'title'"),
     ("no TOML", replaced("mass = \"1 kg\"", "mass = 1 kg"), r"case\.toml:7:\d+: .*; expected TOML"),
     ("an LS-DYNA deck", "*KEYWORD\n*END\n", r"case\.toml:1:1: this is an LS-DYNA keyword deck.*; expected a case in TOML"),
     ("an empty case", "", r"the case has no 'end_time'"),

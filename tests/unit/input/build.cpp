@@ -99,6 +99,15 @@ TEST(Build, FormsOfChargesHaveTheirMass)
     }
 }
 
+TEST(Build, AChargeMayHaveAShapeOfItsOwn)
+{
+    CaseDescription description = plate({"charge.0.shape={ cylinder = { center = [0, 0, 0.7], radius = 0.1, length = 0.2 } }"});
+    EXPECT_THAT(refusal(description), HasSubstr("both a mass and a shape"));
+    description.charges[0].mass.reset();
+    const CaseSurvey survey = survey_case(description);
+    EXPECT_NEAR(survey.gas->masses.back(), 1630 * std::numbers::pi * 0.01 * 0.2 / 4, 1e-6);
+}
+
 TEST(Build, ParticlesOfEitherKind)
 {
     const CaseSurvey survey = survey_case(plate({"gas.particles={ products = 3000, air = 1000 }"}));

@@ -1,0 +1,50 @@
+#include "model/model.hpp"
+
+#include "parallel/loops.hpp"
+#include "structure/energy.hpp"
+
+namespace corpuscle {
+
+namespace {
+
+/// Impulses of this step into held directions, which the supports will answer in the next. [N s]
+Vector3d waiting_for_supports(const Nodes& nodes)
+{
+    return sum<Vector3d>(nodes.size(), [&](std::size_t i) {
+        Vector3d held;
+        for (int a = 0; a < 3; ++a) held[a] = nodes.inverse_mass[i][a] == 0 ? nodes.impulse[i][a] : 0.0;
+        return held;
+    });
+}
+
+/// Kinetic energy is known half a step before the strain energy: what the forces do in between. [J]
+double half_step_work(const Nodes& nodes, double duration)
+{
+    return sum<double>(nodes.size(), [&](std::size_t i) {
+        const auto node = static_cast<std::uint32_t>(i);
+        return 0.5 * duration * (dot(nodes.force[i], nodes.contact_velocity(node)) + dot(nodes.moment[i], nodes.angular_velocity[i]));
+    });
+}
+
+}  // namespace
+
+Model::Model(Gas gas_, Structure structure_) : gas(std::move(gas_)), structure(std::move(structure_)), gas_structure(gas, structure)
+{
+}
+
+Holding Model::held(double duration) const
+{
+    const GasContents inside = contents(gas);
+    Holding total = inside.gas;
+    total += inside.explosive;
+    const StructureEnergy solid = energy(structure);
+    total += {0, momentum(structure) + waiting_for_supports(structure.nodes), solid.kinetic + solid.internal + solid.hourglass + half_step_work(structure.nodes, duration)};
+    return total;
+}
+
+void add_conwep(Model& model, std::uint32_t part, const ConwepCharge& charge)
+{
+    model.loads.push_back(std::make_unique<ConwepLoad>(model.structure, part, charge));
+}
+
+}  // namespace corpuscle

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "contact/conwep_load.hpp"
+#include "contact/gas_structure.hpp"
+#include "gas/gas.hpp"
+#include "model/ledger.hpp"
+#include "model/records.hpp"
+#include "structure/structure.hpp"
+
+namespace corpuscle {
+
+/// All there is to simulate: the bodies, what they exchange, the books, and what is to be recorded.
+/// Contacts refer to the bodies, so a model stays where it was made.
+class Model {
+public:
+    Model(Gas gas_, Structure structure_);
+    Model(const Model&) = delete;
+    Model& operator=(const Model&) = delete;
+
+    std::string title;
+    double end_time = 0;  ///< [s]
+
+    Gas gas;
+    Structure structure;
+    GasStructureContact gas_structure;
+    std::vector<std::unique_ptr<Contact>> loads;  ///< contacts with the world outside: ConWep, ...
+    Ledger ledger;
+
+    std::vector<Probe> probes;
+    std::vector<Gauge> gauges;
+    OutputSettings output;
+
+    /// Where the gas sees facets in this step.
+    [[nodiscard]] const FacetTree& walls() const { return gas_structure.tree(); }
+
+    /// What all bodies hold after a step of this duration [s]; energy without what stepping in time has made or lost.
+    [[nodiscard]] Holding held(double duration) const;
+};
+
+/// Adds the empirical blast load on a part to the model.
+void add_conwep(Model& model, std::uint32_t part, const ConwepCharge& charge);
+
+}  // namespace corpuscle

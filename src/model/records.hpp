@@ -1,0 +1,65 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "mesh/shape.hpp"
+
+// What a run is asked to record.
+
+namespace corpuscle {
+
+/// A value to draw beside a curve.
+struct Reference {
+    double value = 0;  ///< in the quantity's SI unit
+    int component = 2;
+    std::string label;
+};
+
+/// Follows a node of the structure.
+struct Probe {
+    std::string name;
+    std::uint32_t node = 0;
+    bool displacement = true;
+    bool velocity = false;
+    double every = 0;  ///< [s]
+    std::optional<Reference> reference;
+};
+
+/// Pressure on the facets of a part: the net load of gas and loads on both sides, against the facets' normals, over their area.
+struct PartGauge {
+    std::uint32_t part = 0;
+};
+
+/// Pressure on a rigid face of the gas box, by what bounces off it.
+struct FaceGauge {
+    int face = 0;
+};
+
+/// State of the gas in a region.
+struct RegionGauge {
+    Shape shape;
+    double volume = 0;  ///< of its part within the gas box [m3]
+};
+
+struct Gauge {
+    std::string name;
+    std::variant<PartGauge, FaceGauge, RegionGauge> place;
+    double every = 0;  ///< [s]
+};
+
+/// Files for ParaView and restarts.
+struct OutputSettings {
+    double fields_every = 0;              ///< [s], 0: none
+    double history_every = 0;             ///< of the energies [s]
+    double restart_every = 600;           ///< of wall clock [s]
+    std::size_t particles_shown = 200'000;
+    int averages = 48;                    ///< cells along the longest side of the grid of averages
+    bool compress = false;
+};
+
+}  // namespace corpuscle
