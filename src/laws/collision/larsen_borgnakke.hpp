@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace corpuscle {
@@ -38,19 +39,22 @@ inline double mean_velocity_change(double speed_before, double speed_after)
 
 /// How much larger the mean of |g' - g| is, at equilibrium, for pairs that exchange internal energy than for pairs that keep their
 /// speed (4 g/3). Before and after, the translational share of the common energy is the same Beta(2, zeta/2) variate, drawn twice.
-/// Midpoint sum over both, 1e-5.
+/// Midpoint sum over both, 1e-4.
 inline double exchange_stretch(double internal_freedoms)
 {
     if (internal_freedoms <= 0) return 1;
-    constexpr int points = 200;
-    const double shape = 0.5 * internal_freedoms;
-    const auto share = [&](int k) { return 1 - std::pow((k + 0.5) / points, 1 / shape); };
+    constexpr int points = 64;
+    std::array<double, points> share{}, speed{};
+    for (int k = 0; k < points; ++k) {
+        share[k] = 1 - std::pow((k + 0.5) / points, 2 / internal_freedoms);
+        speed[k] = std::sqrt(share[k]);
+    }
     double changed = 0, kept = 0;
     for (int i = 0; i < points; ++i) {
         for (int j = 0; j < points; ++j) {
-            const double before = share(i), after = share(j), weight = before * after;
-            changed += weight * mean_velocity_change(std::sqrt(before), std::sqrt(after));
-            kept += weight * (4.0 / 3.0) * std::sqrt(before);
+            const double weight = share[i] * share[j];
+            changed += weight * mean_velocity_change(speed[i], speed[j]);
+            kept += weight * (4.0 / 3.0) * speed[i];
         }
     }
     return changed / kept;
