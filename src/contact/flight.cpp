@@ -98,7 +98,8 @@ Vector3d FlightPath::goal_of(const Flight& flight, const Particle& particle) con
 bool FlightPath::parts_from_facet(const Flight& flight) const
 {
     const double end = end_of_leg(flight);
-    const Vector3d carried = weighted(tree_.corners(flight.facet, end), flight.left.weight) - weighted(tree_.corners(flight.facet, flight.fraction), flight.left.weight);
+    const Vector3d carried = weighted(tree_.corners(flight.facet, end), flight.left.weight) -
+                             weighted(tree_.corners(flight.facet, flight.fraction), flight.left.weight);
     return dot(flight.goal - flight.place - carried, flight.left.normal) > 0.25 * push_;
 }
 
@@ -169,7 +170,8 @@ void FlightPath::arrive(Flight& flight, Particle& particle, const Vector3d& at) 
 /// crease, or beyond a face of the domain) it is put farther off or nearer to the facet's middle.
 void FlightPath::settle(Flight& flight, Particle& particle) const
 {
-    const std::array<Vector3d, 3> then = tree_.corners(flight.facet, flight.fraction), corners = tree_.corners(flight.facet, end_of_leg(flight));
+    const std::array<Vector3d, 3> then = tree_.corners(flight.facet, flight.fraction),
+                                  corners = tree_.corners(flight.facet, end_of_leg(flight));
     const double side = dot(unit_normal(then), flight.left.normal) < 0 ? -1 : 1;
     const Vector3d normal = side * unit_normal(corners);
     for (const double inward : {0.0, 0.001, 0.01, 0.1, 0.5, 1.0}) {

@@ -18,21 +18,21 @@ struct Flight {
 
     std::uint32_t particle = 0;
     State state = State::moving;
-    bool displaced = false;      ///< on the displacement, the facets frozen at the step's start
-    bool trapped = false;        ///< arrived without a place that is proved free
-    float start = 0;             ///< fraction of the step at which the flight proper begins
-    double fraction = 0;         ///< of the step, where the leg begins
-    Vector3d displacement;       ///< what is left of it [m]
-    Vector3d place;              ///< where the leg begins: never on or behind a facet [m]
-    Vector3d goal;               ///< where it ends if nothing is met; a float position [m]
-    std::int64_t facet = -1;     ///< just left
+    bool displaced = false;   ///< on the displacement, the facets frozen at the step's start
+    bool trapped = false;     ///< arrived without a place that is proved free
+    float start = 0;          ///< fraction of the step at which the flight proper begins
+    double fraction = 0;      ///< of the step, where the leg begins
+    Vector3d displacement;    ///< what is left of it [m]
+    Vector3d place;           ///< where the leg begins: never on or behind a facet [m]
+    Vector3d goal;            ///< where it ends if nothing is met; a float position [m]
+    std::int64_t facet = -1;  ///< just left
     struct {
         std::array<double, 3> weight{};
-        Vector3d normal;         ///< towards the particle's side
-    } left;                      ///< where on it, as it was met
-    FacetTree::Hit hit;          ///< facet met, if `face` is -1
-    int face = -1;               ///< face of the domain met
-    double met_at = 1;           ///< fraction of the leg
+        Vector3d normal;  ///< towards the particle's side
+    } left;               ///< where on it, as it was met
+    FacetTree::Hit hit;   ///< facet met, if `face` is -1
+    int face = -1;        ///< face of the domain met
+    double met_at = 1;    ///< fraction of the leg
     int meetings = 0;
 };
 
@@ -70,9 +70,9 @@ private:
 
     const FacetTree& tree_;
     const Domain& domain_;
-    Box inside_;          ///< float positions nearest to the domain's faces, within it [m]
-    double duration_;     ///< of the step [s]
-    double push_ = 0;     ///< from a facet a particle is put on: some float steps at the domain's far corner [m]
+    Box inside_;       ///< float positions nearest to the domain's faces, within it [m]
+    double duration_;  ///< of the step [s]
+    double push_ = 0;  ///< from a facet a particle is put on: some float steps at the domain's far corner [m]
 };
 
 }  // namespace corpuscle

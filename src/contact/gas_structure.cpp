@@ -10,8 +10,8 @@
 namespace corpuscle {
 namespace {
 
-constexpr int meeting_limit = 64;      ///< bounces of a particle in a step; then a facet carries it to the end of the leg
-constexpr std::size_t grain = 128;     ///< flights handed to a thread at a time
+constexpr int meeting_limit = 64;   ///< bounces of a particle in a step; then a facet carries it to the end of the leg
+constexpr std::size_t grain = 128;  ///< flights handed to a thread at a time
 
 }  // namespace
 
@@ -44,7 +44,8 @@ std::vector<Transfer> GasStructureContact::apply(const Clock& clock)
 void GasStructureContact::begin_flights()
 {
     flights_.resize(gas_.pending.size());
-    for_each(flights_.size(), [&](std::size_t i) { flights_[i] = FlightPath::begin(gas_.pending[i], gas_.particles[gas_.pending[i].particle]); });
+    for_each(flights_.size(),
+             [&](std::size_t i) { flights_[i] = FlightPath::begin(gas_.pending[i], gas_.particles[gas_.pending[i].particle]); });
     gas_.pending.clear();
 }
 
@@ -55,7 +56,8 @@ void GasStructureContact::meet(Flight& flight, const FlightPath& path, Transfer&
     flight.trapped = false;
     if (flight.state == Flight::State::arrived) return;
     if (flight.face < 0) return meet_facet(flight, path, given);
-    if (flight.meetings > 100 * meeting_limit) throw SafetyStop("a gas particle bounces between faces of the domain without end", "look for gas of absurd speed");
+    if (flight.meetings > 100 * meeting_limit)
+        throw SafetyStop("a gas particle bounces between faces of the domain without end", "look for gas of absurd speed");
     const bool stays = corpuscle::meet_face(gas_, gas_.particles[flight.particle], flight.face, gas_.passages);
     if (stays) {
         path.leave_face(flight);
@@ -89,7 +91,8 @@ double GasStructureContact::effective_inverse_mass(const Flight& flight) const
     const std::array<std::uint32_t, 3>& node = tree_.nodes(flight.hit.facet);
     const Vector3d squares = scaled(flight.hit.normal, flight.hit.normal);
     double inverse = 0;
-    for (int i = 0; i < 3; ++i) inverse += flight.hit.weight[i] * flight.hit.weight[i] * dot(squares, structure_.nodes.inverse_mass[node[i]]);
+    for (int i = 0; i < 3; ++i)
+        inverse += flight.hit.weight[i] * flight.hit.weight[i] * dot(squares, structure_.nodes.inverse_mass[node[i]]);
     return inverse;
 }
 

@@ -51,7 +51,7 @@ private:
     Structure& structure_;
     FacetTree tree_;
     std::vector<Flight> flights_;
-    std::vector<Vector3d> facet_impulse_;     ///< [N s]
+    std::vector<Vector3d> facet_impulse_;  ///< [N s]
     std::vector<std::uint64_t> facet_hits_;
     std::uint64_t trapped_ = 0;
 };

@@ -10,13 +10,13 @@
 namespace corpuscle {
 namespace {
 
-constexpr double cell_limit = 1e6;    ///< cells of the grid
-constexpr int layer_limit = 4096;     ///< cells in one direction
-constexpr int clearance_limit = 16;   ///< cells that clearance looks around
-constexpr double steps_ahead = 40;    ///< a rebuild should last so many steps of the present motion ...
+constexpr double cell_limit = 1e6;      ///< cells of the grid
+constexpr int layer_limit = 4096;       ///< cells in one direction
+constexpr int clearance_limit = 16;     ///< cells that clearance looks around
+constexpr double steps_ahead = 40;      ///< a rebuild should last so many steps of the present motion ...
 constexpr double farthest_ahead = 0.4;  ///< ... but may not widen facets by more than this share of a cell
-constexpr double least_margin = 0.1;  ///< by which facets at rest are widened, in cells
-constexpr double spare_margin = 0.01;  ///< for rounding, in single precision, of what relies on clearance, in cells
+constexpr double least_margin = 0.1;    ///< by which facets at rest are widened, in cells
+constexpr double spare_margin = 0.01;   ///< for rounding, in single precision, of what relies on clearance, in cells
 
 /// The value below which a quarter of the values lie.
 double lower_quartile(std::vector<double> values)
@@ -45,7 +45,8 @@ void refuse_infinite(const std::vector<double>& sizes, const std::vector<double>
 {
     for (std::size_t f = 0; f < sizes.size(); ++f) {
         if (std::isfinite(sizes[f] + motions[f])) continue;
-        throw SafetyStop("surface facet " + std::to_string(f) + " is no longer at a finite place", "look for an unstable part, or take a smaller step");
+        throw SafetyStop("surface facet " + std::to_string(f) + " is no longer at a finite place",
+                         "look for an unstable part, or take a smaller step");
     }
 }
 
@@ -160,7 +161,8 @@ bool FacetTree::within_reach() const
 {
     std::atomic<bool> within = true;
     for_each(facets_.size(), [&](std::size_t f) {
-        const double farthest = std::max(motion(&built_start_[3 * f], corners_[f].start.data()), motion(&built_start_[3 * f], corners_[f].end.data()));
+        const double farthest =
+            std::max(motion(&built_start_[3 * f], corners_[f].start.data()), motion(&built_start_[3 * f], corners_[f].end.data()));
         if (!(farthest <= reach_[f])) within.store(false, std::memory_order_relaxed);
     });
     return within;
@@ -189,8 +191,10 @@ void FacetTree::build()
 
 FieldSet FacetTree::state()
 {
-    FieldSet set{"facet_tree", {stored_field("built_start", "m", "facet corners at the start of the step in which the search grid was made", built_start_),
-                                stored_field("built_end", "m", "facet corners at its end", built_end_)}};
+    FieldSet set{
+        "facet_tree",
+        {stored_field("built_start", "m", "facet corners at the start of the step in which the search grid was made", built_start_),
+         stored_field("built_end", "m", "facet corners at its end", built_end_)}};
     for (Field& field : set.fields) {
         field.restore = [this, take = field.restore](const void* values, std::size_t count) {
             take(values, count);
@@ -304,12 +308,10 @@ void FacetTree::measure_clearance()
     clearance_.resize(grid_.cells());
     for_each(grid_.cells(), [&](std::size_t c) { scratch[c] = first_[c] == first_[c + 1] ? clearance_limit : 0; });
     for_each(grid_.cells() / row, [&](std::size_t r) { measure_row(scratch.data() + r * row, grid_.count[0]); });
-    for_each_dynamic(grid_.count[2], 1, [&](std::size_t z) {
-        widen(scratch.data() + z * plane, clearance_.data() + z * plane, grid_.count[1], row, row);
-    });
-    for_each_dynamic(grid_.count[1], 1, [&](std::size_t y) {
-        widen(clearance_.data() + y * row, scratch.data() + y * row, grid_.count[2], plane, row);
-    });
+    for_each_dynamic(grid_.count[2], 1,
+                     [&](std::size_t z) { widen(scratch.data() + z * plane, clearance_.data() + z * plane, grid_.count[1], row, row); });
+    for_each_dynamic(grid_.count[1], 1,
+                     [&](std::size_t y) { widen(clearance_.data() + y * row, scratch.data() + y * row, grid_.count[2], plane, row); });
     clearance_.swap(scratch);
 }
 

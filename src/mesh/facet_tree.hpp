@@ -72,8 +72,8 @@ private:
     /// Cubes that fill a box about all facets.
     struct Grid {
         Vector3d lower{nowhere, nowhere, nowhere}, upper{-nowhere, -nowhere, -nowhere};  ///< [m]
-        double size = 1;          ///< of a cell [m]
-        double inverse_size = 1;  ///< [1/m]
+        double size = 1;                                                                 ///< of a cell [m]
+        double inverse_size = 1;                                                         ///< [1/m]
         std::array<std::int32_t, 3> count{0, 0, 0};
 
         /// Layer of cells at so many cell sizes (at most 1e9) from the lower face, the outermost beyond it.

@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "mesh/cubic.hpp"
 #include "math/vector3.hpp"
+#include "mesh/cubic.hpp"
 
 namespace corpuscle {
 

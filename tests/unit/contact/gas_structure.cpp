@@ -58,7 +58,8 @@ TEST(GasStructure, every_bounce_keeps_momentum_and_energy_of_the_pair)
         move_freely(structure.nodes, 1e-4);
         Gas gas = empty_gas(room, 0.02 + random.uniform_double());
         const double side = random.uniform() < 0.5f ? -1 : 1;
-        gas.particles = {particle_at(Vector3f(Vector3d{0, 0, 0.1 * side} + 0.02 * uniform_vector(random)), Vector3f(Vector3d{0, 0, -3000 * side} + 500 * uniform_vector(random)))};
+        gas.particles = {particle_at(Vector3f(Vector3d{0, 0, 0.1 * side} + 0.02 * uniform_vector(random)),
+                                     Vector3f(Vector3d{0, 0, -3000 * side} + 500 * uniform_vector(random)))};
         const double mass = gas.species[0].particle_mass;
         const Vector3d momentum = momentum_of(structure.nodes), velocity(gas.particles[0].velocity);
         const double energy = kinetic_energy(structure.nodes);
@@ -85,7 +86,8 @@ TEST(GasStructure, held_directions_are_infinitely_heavy)
     const Transfer given = step(gas, contact, 1e-3)[0];
     EXPECT_EQ(gas.particles[0].velocity, Vector3f(0, 0, 1000));
     EXPECT_DOUBLE_EQ(given.momentum.z, -1000);
-    EXPECT_DOUBLE_EQ(structure.nodes.impulse[0].z + structure.nodes.impulse[1].z + structure.nodes.impulse[2].z + structure.nodes.impulse[3].z, -1000);
+    EXPECT_DOUBLE_EQ(
+        structure.nodes.impulse[0].z + structure.nodes.impulse[1].z + structure.nodes.impulse[2].z + structure.nodes.impulse[3].z, -1000);
     EXPECT_EQ(kinetic_energy(structure.nodes), 0);
 }
 
@@ -179,7 +181,8 @@ TEST(GasStructure, a_crease_that_shuts_keeps_its_particle)
     Random random(2, Purpose::contact, 0, 0);
     for (int i = 0; i < 500; ++i) {
         const double x = 0.02 + 0.9 * random.uniform_double(), y = (1 - x) * (random.uniform_double() - 0.5);
-        gas.particles.push_back(particle_at(Vector3f(Vector3d{x, y, 0.36 * x * (0.1 + 0.8 * random.uniform_double())}), Vector3f(1500 * uniform_vector(random))));
+        gas.particles.push_back(particle_at(Vector3f(Vector3d{x, y, 0.36 * x * (0.1 + 0.8 * random.uniform_double())}),
+                                            Vector3f(1500 * uniform_vector(random))));
         gas.particles.back().velocity.y = 0;
         gas.particles.back().velocity.x = -std::abs(gas.particles.back().velocity.x);
     }

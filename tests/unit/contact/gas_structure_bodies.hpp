@@ -50,7 +50,8 @@ inline void move_freely(Nodes& nodes, double duration)
 inline double kinetic_energy(const Nodes& nodes)
 {
     double energy = 0;
-    for (std::size_t n = 0; n < nodes.size(); ++n) energy += 0.5 * nodes.mass[n] * norm_squared(nodes.contact_velocity(static_cast<std::uint32_t>(n)));
+    for (std::size_t n = 0; n < nodes.size(); ++n)
+        energy += 0.5 * nodes.mass[n] * norm_squared(nodes.contact_velocity(static_cast<std::uint32_t>(n)));
     return energy;
 }
 

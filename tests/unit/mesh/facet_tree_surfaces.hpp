@@ -25,7 +25,8 @@ struct MovingSurface {
 inline MovingSurface sphere_surface(double radius, int levels)
 {
     std::vector<Vector3d> nodes{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
-    std::vector<std::array<std::uint32_t, 3>> facets{{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
+    std::vector<std::array<std::uint32_t, 3>> facets{{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
+                                                     {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
     for (int level = 0; level < levels; ++level) {
         std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
         const auto middle = [&](std::uint32_t a, std::uint32_t b) {
@@ -36,7 +37,8 @@ inline MovingSurface sphere_surface(double radius, int levels)
         std::vector<std::array<std::uint32_t, 3>> finer;
         for (const auto& [a, b, c] : facets) {
             const std::uint32_t ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
-            for (const std::array<std::uint32_t, 3>& f : {std::array{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}}) finer.push_back(f);
+            for (const std::array<std::uint32_t, 3>& f : {std::array{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}})
+                finer.push_back(f);
         }
         facets = std::move(finer);
     }
