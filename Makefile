@@ -45,11 +45,8 @@ test: tests
 validate: build
 	tools/validate.py $(CORPUSCLE)
 
-bench:
-	@tools/bootstrap test
-	cmake --preset release -DCORPUSCLE_BENCH=ON
-	cmake --build --preset release --target corpuscle_bench -j $(JOBS)
-	$(BUILD)/bench/corpuscle_bench
+bench: build
+	$(CORPUSCLE) bench
 
 lint: tests
 	ctest --test-dir $(BUILD) -L house --output-on-failure --no-tests=error

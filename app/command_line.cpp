@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <functional>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "app/commands/commands.hpp"
 #include "app/terminal/report_error.hpp"
@@ -70,7 +70,9 @@ private:
 
     void add_settings(CLI::App* sub)
     {
-        sub->add_option("--set", options_.settings, "Change a value: key=value, such as charge.0.mass=\"20 kg\"")->allow_extra_args(false)->take_all();
+        sub->add_option("--set", options_.settings, "Change a value: key=value, such as charge.0.mass=\"20 kg\"")
+            ->allow_extra_args(false)
+            ->take_all();
         add_threads(sub);
     }
 
@@ -87,6 +89,10 @@ private:
         fresh->add_flag("--force", options_.force, "Replace an existing file");
         CLI::App* list = add("list", "List explosives, materials, gases or fields", list_command);
         list->add_option("kind", options_.subject, "explosives, materials, gases or fields")->required();
+        CLI::App* bench = add("bench", "Time the step's loops beside reference loops", bench_command);
+        bench->add_option("name", options_.subject, "reference, gas or shells (default: all)");
+        bench->add_flag("--json", options_.json, "As JSON");
+        bench->add_option("--threads", options_.threads, "Threads (default: 1, then 2)")->check(CLI::Range(1, 4096));
         CLI::App* explain = add("explain", "Explain a key of a case", explain_command);
         explain->add_option("key", options_.subject, "The key, such as charge.mass");
         explain->add_flag("--markdown", options_.markdown, "The whole reference page");

@@ -15,7 +15,8 @@ struct Options {
     bool quiet = false;
     bool force = false;
     bool markdown = false;
-    std::filesystem::path program;      ///< of this executable
+    bool json = false;
+    std::filesystem::path program;  ///< of this executable
 
     /// Folders of presets that came with the program.
     [[nodiscard]] std::vector<std::filesystem::path> installed_share() const;

@@ -13,7 +13,6 @@ option(CORPUSCLE_WERROR "Treat warnings as errors" ON)
 set(CORPUSCLE_SANITIZE "" CACHE STRING "Sanitizers compiled in: address,undefined or thread; empty: none")
 option(CORPUSCLE_TESTS "Build the tests (needs GoogleTest)" ON)
 option(CORPUSCLE_HOUSE "Let ctest also check the house itself: floors, format, clang-tidy, sanitizers (label house)" OFF)
-option(CORPUSCLE_BENCH "Build the benchmarks (needs Google Benchmark)" OFF)
 
 # ccache makes every later build of the same source nearly free.
 find_program(CCACHE_PROGRAM ccache)

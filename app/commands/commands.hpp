@@ -14,6 +14,7 @@ int check_command(const Options& options);
 int new_command(const Options& options);
 int list_command(const Options& options);
 int explain_command(const Options& options);
+int bench_command(const Options& options);
 
 /// Reads the case of the options with its settings, presets looked up.
 [[nodiscard]] CaseDescription case_of(const Options& options);

@@ -1,0 +1,194 @@
+#include "simulation/bench.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <functional>
+#include <map>
+#include <numeric>
+
+#include <nlohmann/json.hpp>
+
+#include "base/error.hpp"
+#include "contact/gas_structure.hpp"
+#include "gas/collide.hpp"
+#include "gas/fill.hpp"
+#include "gas/fly.hpp"
+#include "gas/sort.hpp"
+#include "math/random.hpp"
+#include "mesh/generators.hpp"
+#include "mesh/selection.hpp"
+#include "parallel/loops.hpp"
+#include "simulation/phases.hpp"
+#include "structure/builder.hpp"
+#include "structure/structure.hpp"
+
+namespace corpuscle {
+
+namespace {
+
+constexpr std::size_t records = 4'000'000;  ///< of the reference loops: 128 MB, beyond any cache
+constexpr int repeats = 5;
+const std::string reference_name = "reference: copy, nearly in order";
+
+/// Median wall time of `work` over several repeats [s].
+double median_seconds(const std::function<void()>& work)
+{
+    std::vector<double> seconds;
+    for (int r = 0; r < repeats; ++r) {
+        const auto start = std::chrono::steady_clock::now();
+        work();
+        seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    }
+    std::nth_element(seconds.begin(), seconds.begin() + repeats / 2, seconds.end());
+    return seconds[repeats / 2];
+}
+
+/// Collects lines of one number of threads.
+class Bench {
+public:
+    Bench(const BenchSettings& settings, int threads) : settings_(settings), threads_(threads) { set_thread_count(threads); }
+
+    void run()
+    {
+        measure_copies();
+        if (wanted("reference")) measure_triad();
+        if (wanted("gas")) measure_gas();
+        if (wanted("shells")) measure_shells();
+        for (BenchLine& line : lines_) line.ratio = line.nanoseconds / reference_;
+    }
+    [[nodiscard]] const std::vector<BenchLine>& lines() const { return lines_; }
+
+private:
+    [[nodiscard]] bool wanted(const std::string& name) const { return settings_.name.empty() || settings_.name == name; }
+    void add(const std::string& name, double seconds, double things, double bytes = 0) { lines_.push_back({name, threads_, 1e9 * seconds / things, 0, bytes}); }
+
+    /// Particles copied through an index: in order, displaced within a thousand (as a sort of a nearly sorted array does), at random.
+    void measure_copies()
+    {
+        const std::vector<Particle> from(records);
+        std::vector<Particle> to(records);
+        std::vector<std::uint32_t> order(records);
+        std::iota(order.begin(), order.end(), 0u);
+        const auto copy = [&](const std::string& name) {
+            add(name, median_seconds([&] { for_each(records, [&](std::size_t i) { to[i] = from[order[i]]; }); }), records, 2 * sizeof(Particle));
+        };
+        if (wanted("reference")) copy("reference: copy, in order");
+        Random random(1, Purpose::fill, 0, 0);
+        constexpr std::uint32_t reach = 1024;
+        for (std::size_t first = 0; first + reach <= records; first += reach) {
+            for (std::uint32_t k = reach - 1; k > 0; --k) std::swap(order[first + k], order[first + random.below(k + 1)]);
+        }
+        copy(reference_name);
+        reference_ = lines_.back().nanoseconds;
+        if (!wanted("reference")) return;
+        for (std::uint32_t k = records - 1; k > 0; --k) std::swap(order[k], order[random.below(k + 1)]);
+        copy("reference: copy, at random");
+    }
+
+    void measure_triad()
+    {
+        std::vector<double> a(records), b(records, 1.0), c(records, 2.0);
+        add("reference: triad", median_seconds([&] { for_each_simd(records, [&](std::size_t i) { a[i] = b[i] + 3.0 * c[i]; }); }), records, 24);
+    }
+
+    /// A closed box of gas that collides about a third of a collision a particle and step.
+    void measure_gas()
+    {
+        Gas gas;
+        gas.domain.box = {{0, 0, 0}, {1, 1, 1}};
+        gas.species.push_back({"air", IdealGas{1.4}, 1.2 / static_cast<double>(settings_.particles), internal_freedoms(1.4)});
+        fill(gas, {Shape::box(gas.domain.box), {}, 0, 1.2, 0.253e6 / 1.2, {}, -1}, settings_.particles);
+        sort(gas);
+        survey(gas);
+        const FacetTree nothing{Surface{}};
+        Clock clock;
+        Phases phases;
+        const auto advance = [&](Phases& timed) {
+            clock.begin_step(4 * stable_step(gas, clock.time()));  // collisions as in a step four times the usual
+            timed.time("sort", [&] { sort(gas); });
+            timed.time("collide", [&] { collide(gas, clock, nothing); });
+            timed.time("fly", [&] { fly(gas, clock, nothing); });
+            clock.end_step();
+        };
+        Phases warm;
+        for (int s = 0; s < 5; ++s) advance(warm);
+        const std::uint64_t before = gas.collisions;
+        for (int s = 0; s < settings_.steps; ++s) advance(phases);
+        const double work = static_cast<double>(settings_.particles) * settings_.steps;
+        double whole = 0;
+        for (const auto& [name, seconds] : phases.seconds()) {
+            add("gas: " + name, seconds, work);
+            whole += seconds;
+        }
+        add("gas: whole step", whole, work, static_cast<double>(resident_bytes(gas)) / static_cast<double>(settings_.particles));
+        collisions_ = static_cast<double>(gas.collisions - before) / work;
+        lines_.back().name = "gas: whole step (" + std::to_string(collisions_).substr(0, 4) + " pairs a particle)";
+    }
+
+    /// The quarter plate of the paper, hit by an initial velocity so that it yields.
+    void measure_shells()
+    {
+        Structure structure;
+        PartDescription plate;
+        plate.name = "plate";
+        plate.mesh = disk_mesh(0.5, 0.005, true);
+        plate.material = {"rha", 7838, 212e9, 0.28, BilinearPlastic{1200e6, 6500e6, 300, 5, 0}};
+        plate.thickness = 0.02;
+        plate.holds.push_back(clamp(select_nodes(plate.mesh, "rim")));
+        plate.velocity = {0, 0, -150};
+        add_part(structure, plate);
+        Clock clock;
+        const int steps = 100;
+        const double seconds = median_seconds([&] {
+            for (int s = 0; s < steps; ++s) {
+                clock.begin_step(0.9 * stable_step(structure));
+                accelerate(structure, clock);
+                resist(structure, clock);
+                clock.end_step();
+            }
+        });
+        add("shells: whole step", seconds, static_cast<double>(structure.element_count()) * steps);
+    }
+
+    const BenchSettings& settings_;
+    int threads_;
+    double reference_ = 1;   ///< [ns]
+    double collisions_ = 0;  ///< of a particle and step, as pairs
+    std::vector<BenchLine> lines_;
+};
+
+}  // namespace
+
+const std::vector<std::string>& bench_names()
+{
+    static const std::vector<std::string> names{"reference", "gas", "shells"};
+    return names;
+}
+
+std::vector<BenchLine> run_bench(const BenchSettings& settings)
+{
+    const auto& names = bench_names();
+    if (!settings.name.empty() && std::find(names.begin(), names.end(), settings.name) == names.end()) {
+        throw InputError("there is no benchmark '" + settings.name + "'", "expected one of: reference, gas, shells");
+    }
+    const int threads_before = thread_count();
+    std::vector<BenchLine> lines;
+    for (const int threads : settings.threads) {
+        Bench bench(settings, threads);
+        bench.run();
+        lines.insert(lines.end(), bench.lines().begin(), bench.lines().end());
+    }
+    set_thread_count(threads_before);
+    return lines;
+}
+
+std::string bench_json(const std::vector<BenchLine>& lines)
+{
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const BenchLine& line : lines) {
+        list.push_back({{"name", line.name}, {"threads", line.threads}, {"ns_per_thing_and_step", line.nanoseconds}, {"over_reference_copy", line.ratio}, {"bytes_per_thing", line.bytes}});
+    }
+    return nlohmann::ordered_json{{"version", 1}, {"lines", list}}.dump(2);
+}
+
+}  // namespace corpuscle

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace corpuscle {
+
+/// One measured loop: wall time for each thing it works on in a step.
+struct BenchLine {
+    std::string name;              ///< "gas: collide", "reference: triad", ...
+    int threads = 1;
+    double nanoseconds = 0;        ///< wall, of a thing and a step; the median of several repeats
+    double ratio = 0;              ///< over the reference copy of 32-byte records with as many threads, in the same run
+    double bytes = 0;              ///< resident for each thing, 0 where that says nothing
+};
+
+/// What to measure.
+struct BenchSettings {
+    std::string name;               ///< "gas", "shells", "reference", or all if empty
+    std::size_t particles = 800'000;
+    int steps = 20;                 ///< of the gas
+    std::vector<int> threads{1, 2};
+};
+
+/// Names that can be asked for.
+[[nodiscard]] const std::vector<std::string>& bench_names();
+
+/// Times reference loops (triad; copies of 32-byte records in order, nearly in order, and at random), the gas step in a closed box of
+/// colliding gas with its phases, and the shell step of the plate. Throws InputError for a name that is none.
+[[nodiscard]] std::vector<BenchLine> run_bench(const BenchSettings& settings);
+
+/// The lines as JSON, for scripts.
+[[nodiscard]] std::string bench_json(const std::vector<BenchLine>& lines);
+
+}  // namespace corpuscle
