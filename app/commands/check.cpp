@@ -20,11 +20,14 @@ void print_gas(const GasPlan& plan)
     TextTable table({"gas", "law", "mass [kg]", "particles", "particle mass [kg]"});
     for (std::size_t i = 0; i < plan.fills.size(); ++i) {
         const Species& species = plan.gas.species[plan.fills[i].species];
-        const std::string name = plan.fills[i].charge >= 0 ? fmt::format("{} (charge {})", species.name, plan.fills[i].charge + 1) : species.name;
-        table.row({name, law_name(species.law), fmt::format("{:.6g}", plan.masses[i]), fmt::format("{}", plan.counts[i]), fmt::format("{:.4g}", species.particle_mass)});
+        const std::string name =
+            plan.fills[i].charge >= 0 ? fmt::format("{} (charge {})", species.name, plan.fills[i].charge + 1) : species.name;
+        table.row({name, law_name(species.law), fmt::format("{:.6g}", plan.masses[i]), fmt::format("{}", plan.counts[i]),
+                   fmt::format("{:.4g}", species.particle_mass)});
     }
     fmt::print("{}", table.text());
-    const auto [least, most] = std::minmax_element(plan.gas.species.begin(), plan.gas.species.end(), [](const Species& a, const Species& b) { return a.particle_mass < b.particle_mass; });
+    const auto [least, most] = std::minmax_element(plan.gas.species.begin(), plan.gas.species.end(),
+                                                   [](const Species& a, const Species& b) { return a.particle_mass < b.particle_mass; });
     fmt::print("heaviest over lightest particle: {:.3g}\n\n", most->particle_mass / least->particle_mass);
 }
 
@@ -41,8 +44,10 @@ void print_structure(const CaseDescription& description, const Structure& struct
     for (std::size_t i = 0; i < structure.parts.size(); ++i) {
         const Part& part = structure.parts[i];
         const MeshQuality quality = check(make_mesh(description.parts[i], description));
-        table.row({part.name, part.rigid() ? "rigid" : "shell", fmt::format("{}", part.element_count()), fmt::format("{}", part.node_count), part.rigid() ? "-" : fmt::format("{:.6g}", mass_of(structure, part)),
-                   fmt::format("{:.3g} to {:.3g}", 1e3 * quality.min_edge, 1e3 * quality.max_edge), fmt::format("{:.2f}", quality.min_scaled_jacobian)});
+        table.row({part.name, part.rigid() ? "rigid" : "shell", fmt::format("{}", part.element_count()), fmt::format("{}", part.node_count),
+                   part.rigid() ? "-" : fmt::format("{:.6g}", mass_of(structure, part)),
+                   fmt::format("{:.3g} to {:.3g}", 1e3 * quality.min_edge, 1e3 * quality.max_edge),
+                   fmt::format("{:.2f}", quality.min_scaled_jacobian)});
     }
     fmt::print("{}\n", table.text());
 }
@@ -79,7 +84,8 @@ int check_command(const Options& options)
     if (survey.gas) print_gas(*survey.gas);
     if (!survey.structure.parts.empty()) print_structure(description, survey.structure);
     const double steps = expected_steps(survey, description.end_time);
-    fmt::print("memory about {}, steps about {:.2g}, wall time about {} on {} threads\n", bytes_text(survey.memory), steps, duration_text(expected_seconds(survey, steps)), thread_count());
+    fmt::print("memory about {}, steps about {:.2g}, wall time about {} on {} threads\n", bytes_text(survey.memory), steps,
+               duration_text(expected_seconds(survey, steps)), thread_count());
     for (const std::string& warning : survey.warnings) fmt::print("warning: {}\n", warning);
     fmt::print("the case is good\n");
     return 0;

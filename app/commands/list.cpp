@@ -14,7 +14,8 @@ namespace {
 void list_presets_of(PresetKind kind, const Options& options)
 {
     TextTable table({"name", "what it is", "values", "status"});
-    for (const PresetEntry& entry : list_presets(kind, preset_folders(std::filesystem::current_path(), options.installed_share()))) table.row({entry.name, entry.title, entry.summary, entry.status});
+    for (const PresetEntry& entry : list_presets(kind, preset_folders(std::filesystem::current_path(), options.installed_share())))
+        table.row({entry.name, entry.title, entry.summary, entry.status});
     fmt::print("{}", table.text());
 }
 

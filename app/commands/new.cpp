@@ -31,10 +31,12 @@ int new_command(const Options& options)
         throw InputError(fmt::format("there is no starter '{}'", options.subject), suggestion(options.subject, names));
     }
     const std::filesystem::path target = options.out.empty() ? options.subject + ".toml" : options.out;
-    if (std::filesystem::exists(target) && !options.force) throw InputError(fmt::format("'{}' exists", target.string()), "give another name with --out, or --force to replace it");
+    if (std::filesystem::exists(target) && !options.force)
+        throw InputError(fmt::format("'{}' exists", target.string()), "give another name with --out, or --force to replace it");
     std::error_code error;
     if (!std::filesystem::copy_file(starter, target, std::filesystem::copy_options::overwrite_existing, error))
-        throw InputError(fmt::format("'{}' cannot be written: {}", target.string(), error.message()), "check the folder and its permissions");
+        throw InputError(fmt::format("'{}' cannot be written: {}", target.string(), error.message()),
+                         "check the folder and its permissions");
     fmt::print("wrote {}; now: corpuscle run {}\n", target.string(), target.string());
     return 0;
 }

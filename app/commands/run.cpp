@@ -37,15 +37,28 @@ void tell_warnings(const CaseSurvey& survey, Log& log, bool quiet)
     }
 }
 
+/// Runs under the eye of the display; a run that stops itself leaves its report too.
+Ending run_watched(Simulation& simulation, const RunFolder& folder, ProgressDisplay& display)
+{
+    const InterruptWatch watch;
+    try {
+        const Ending ending = simulation.run(watch.requested(), [&](const Progress& progress) { display.show(progress); });
+        display.finish();
+        return ending;
+    } catch (const SafetyStop&) {
+        display.finish();
+        write_report(folder.path());
+        throw;
+    }
+}
+
 /// Steps to the end and says what came of it.
 int finish(Simulation& simulation, const RunFolder& folder, const Options& options)
 {
     ProgressDisplay display(options.quiet ? ProgressStyle::none : isatty(STDERR_FILENO) != 0 ? ProgressStyle::bar : ProgressStyle::lines);
-    const InterruptWatch watch;
-    const Ending ending = simulation.run(watch.requested(), [&](const Progress& progress) { display.show(progress); });
-    display.finish();
+    const Ending ending = run_watched(simulation, folder, display);
     const std::filesystem::path report = write_report(folder.path());
-    if (!options.quiet) fmt::print("{}", results_text(simulation.summary()));
+    if (!options.quiet) fmt::print("{}", results_text(read_summary(folder.summary())));
     if (ending == Ending::interrupted) {
         fmt::print("interrupted, state saved; go on with: corpuscle resume {}\n", folder.path().string());
         return exit_interrupted;
@@ -74,7 +87,9 @@ int run_command(const Options& options)
 int resume_command(const Options& options)
 {
     const RunFolder folder(options.subject);
-    if (!std::filesystem::exists(folder.resolved_case())) throw InputError(fmt::format("'{}' holds no run to go on with", options.subject), "expected the folder of an earlier `corpuscle run`");
+    if (!std::filesystem::exists(folder.resolved_case()))
+        throw InputError(fmt::format("'{}' holds no run to go on with", options.subject),
+                         "expected the folder of an earlier `corpuscle run`");
     CaseDescription description = read_case(folder.resolved_case());
     resolve_presets(description, preset_folders(description.folder, options.installed_share()));
     const std::unique_ptr<Simulation> simulation = Simulation::resume(build(description), folder);

@@ -17,7 +17,7 @@ void request_stop(int)
 
 void handle(int signal, void (*handler)(int))
 {
-    struct sigaction action {};
+    struct sigaction action{};
     action.sa_handler = handler;
     action.sa_flags = handler == SIG_DFL ? 0 : static_cast<int>(SA_RESETHAND);
     sigaction(signal, &action, nullptr);

@@ -34,8 +34,9 @@ std::string progress_text(const Progress& progress)
 {
     const double fraction = fraction_of(progress);
     const std::string left = fraction > 0.001 ? clock_text(progress.wall_seconds * (1 - fraction) / fraction) : "?";
-    return fmt::format("{:3.0f} %  t {:.4g} of {:.4g} ms  step {} of {:.3g} us ({})  energy error {:.1e}  left {}", 100 * fraction, 1e3 * progress.time, 1e3 * progress.end_time, progress.step,
-                       1e6 * progress.duration, progress.step_set_by, progress.energy_error, left);
+    return fmt::format("{:3.0f} %  t {:.4g} of {:.4g} ms  step {} of {:.3g} us ({})  energy error {:.1e}  left {}", 100 * fraction,
+                       1e3 * progress.time, 1e3 * progress.end_time, progress.step, 1e6 * progress.duration, progress.step_set_by,
+                       progress.energy_error, left);
 }
 
 void ProgressDisplay::show(const Progress& progress)

@@ -15,7 +15,9 @@ std::string measured_text(const RunSummary& summary)
 {
     TextTable table({"measured", "quantity", "least", "greatest", "at the end"});
     for (const auto& [probe, quantities] : summary.probes)
-        for (const auto& [quantity, value] : quantities) table.row({probe, quantity, fmt::format("{:.4g}", value.minimum), fmt::format("{:.4g}", value.maximum), fmt::format("{:.4g}", value.final)});
+        for (const auto& [quantity, value] : quantities)
+            table.row({probe, quantity, fmt::format("{:.4g}", value.minimum), fmt::format("{:.4g}", value.maximum),
+                       fmt::format("{:.4g}", value.final)});
     for (const auto& [gauge, value] : summary.gauges) {
         table.row({gauge, "pressure_pa", "-", fmt::format("{:.4g}", value.peak_pressure), "-"});
         table.row({gauge, "impulse_pa_s", "-", fmt::format("{:.4g}", value.impulse), "-"});
@@ -39,8 +41,10 @@ std::string phases_text(const RunSummary& summary)
 /// Wall nanoseconds for each unit of work of the whole run.
 std::string pace_text(const RunSummary& summary)
 {
-    std::string text = fmt::format("{} steps to {:.4g} ms in {:.2f} s on {} threads", summary.steps, 1e3 * summary.end_time, summary.wall_seconds, summary.threads);
-    if (summary.particle_steps > 0) text += fmt::format(", {:.1f} ns a particle and step", 1e9 * summary.wall_seconds / static_cast<double>(summary.particle_steps));
+    std::string text = fmt::format("{} steps to {:.4g} ms in {:.2f} s on {} threads", summary.steps, 1e3 * summary.end_time,
+                                   summary.wall_seconds, summary.threads);
+    if (summary.particle_steps > 0)
+        text += fmt::format(", {:.1f} ns a particle and step", 1e9 * summary.wall_seconds / static_cast<double>(summary.particle_steps));
     return text + fmt::format("; memory {:.0f} MB\n", static_cast<double>(summary.peak_memory) / 1e6);
 }
 
@@ -48,8 +52,8 @@ std::string pace_text(const RunSummary& summary)
 
 std::string results_text(const RunSummary& summary)
 {
-    return fmt::format("\n{}{}{}errors of the books: mass {:.1e}, momentum {:.1e}, energy {:.1e}\n", measured_text(summary), phases_text(summary), pace_text(summary), summary.mass_error, summary.momentum_error,
-                       summary.energy_error);
+    return fmt::format("\n{}{}{}errors of the books: mass {:.1e}, momentum {:.1e}, energy {:.1e}\n", measured_text(summary),
+                       phases_text(summary), pace_text(summary), summary.mass_error, summary.momentum_error, summary.energy_error);
 }
 
 }  // namespace corpuscle

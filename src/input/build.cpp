@@ -44,19 +44,28 @@ bool has(const ProbeInput& input, ProbeQuantity quantity)
 
 Probe make_probe(const ProbeInput& input, const Structure& structure, std::vector<std::string>& warnings)
 {
-    Probe probe{input.name, probed_node(structure, input.node_at), has(input, ProbeQuantity::displacement), has(input, ProbeQuantity::velocity), input.every, {}};
-    if (input.reference) probe.reference = Reference{input.reference->value, static_cast<int>(input.reference->component), input.reference->label};
+    Probe probe{input.name,
+                probed_node(structure, input.node_at),
+                has(input, ProbeQuantity::displacement),
+                has(input, ProbeQuantity::velocity),
+                input.every,
+                {}};
+    if (input.reference)
+        probe.reference = Reference{input.reference->value, static_cast<int>(input.reference->component), input.reference->label};
     Box bounds;
     for (const Vector3d& place : structure.nodes.reference) bounds.include(place);
     const double away = norm(structure.nodes.reference[probe.node] - input.node_at);
-    if (away > 0.05 * norm(bounds.size())) warnings.push_back(fmt::format("probe '{}': the nearest node is {:.3g} m away", input.name, away));
+    if (away > 0.05 * norm(bounds.size()))
+        warnings.push_back(fmt::format("probe '{}': the nearest node is {:.3g} m away", input.name, away));
     return probe;
 }
 
 RegionGauge region_of(const Shape& shape, const Domain& domain, const GaugeInput& input)
 {
     const double volume = shape.volume_within(domain.box);
-    if (!(volume > 0)) throw InputError(fmt::format("gauge '{}' lies outside the gas box", input.name), "expected it within the box of [gas]", input.places.own);
+    if (!(volume > 0))
+        throw InputError(fmt::format("gauge '{}' lies outside the gas box", input.name), "expected it within the box of [gas]",
+                         input.places.own);
     return {shape, volume};
 }
 
@@ -66,11 +75,13 @@ Gauge make_gauge(const GaugeInput& input, const Model& model)
     const Domain& domain = model.gas.domain;
     return at_place(place, [&]() -> Gauge {
         if (input.facets) return {input.name, PartGauge{part_index(model.structure, *input.facets)}, input.every};
-        if (input.sphere) return {input.name, region_of(Shape::sphere(input.sphere->center, input.sphere->radius), domain, input), input.every};
+        if (input.sphere)
+            return {input.name, region_of(Shape::sphere(input.sphere->center, input.sphere->radius), domain, input), input.every};
         if (input.box) return {input.name, region_of(Shape::box(box_of(*input.box)), domain, input), input.every};
         const int face = static_cast<int>(*input.face);
         if (domain.edges[static_cast<std::size_t>(face)] != Edge::rigid)
-            throw InputError(fmt::format("gauge '{}' is on a face of the gas box that is not rigid", input.name), "expected a face whose edge is \"rigid\"", input.places.of("face"));
+            throw InputError(fmt::format("gauge '{}' is on a face of the gas box that is not rigid", input.name),
+                             "expected a face whose edge is \"rigid\"", input.places.of("face"));
         return {input.name, FaceGauge{face}, input.every};
     });
 }
@@ -79,7 +90,8 @@ void add_load(Model& model, const LoadInput& input)
 {
     const ConwepInput& conwep = *input.conwep;
     const Burst burst = conwep.burst == BurstInput::spherical ? Burst::spherical : Burst::hemispherical;
-    at_place(input.places.own, [&] { add_conwep(model, part_index(model.structure, input.part), {conwep.mass, conwep.center, burst, conwep.time}); });
+    at_place(input.places.own,
+             [&] { add_conwep(model, part_index(model.structure, input.part), {conwep.mass, conwep.center, burst, conwep.time}); });
 }
 
 OutputSettings make_output(const CaseDescription& description)

@@ -21,7 +21,8 @@ Domain make_domain(const GasInput& input)
     for (int axis = 0; axis < 3; ++axis) {
         const auto& [low, high] = input.box[static_cast<std::size_t>(axis)];
         if (!(low < high))
-            throw InputError(fmt::format("the gas box runs from {} m to {} m along {}", low, high, "xyz"[axis]), "expected the lower end first, and some length", input.places.of("box"));
+            throw InputError(fmt::format("the gas box runs from {} m to {} m along {}", low, high, "xyz"[axis]),
+                             "expected the lower end first, and some length", input.places.of("box"));
     }
     const EdgesInput& e = input.edges;
     return {box_of(input.box), {e.x[0], e.x[1], e.y[0], e.y[1], e.z[0], e.z[1]}};
@@ -65,7 +66,8 @@ void add_fills(GasPlan& plan, const CaseDescription& description)
             const Shape shape = make_shape(input.shape, description);
             Fill fill{shape, {}, 0, state.density, state.energy_per_mass, input.velocity, -1};
             fill.species = species_index(plan.gas, species_name(input.gas.values->name, "gas", i + 1), state.law);
-            if (!(shape.volume_within(plan.gas.domain.box) > 0)) throw InputError("the fill lies outside the gas box", "expected some of it within", input.places.of("shape"));
+            if (!(shape.volume_within(plan.gas.domain.box) > 0))
+                throw InputError("the fill lies outside the gas box", "expected some of it within", input.places.of("shape"));
             for (Fill& earlier : plan.fills) earlier.cut_by.push_back(shape);
             plan.fills.push_back(std::move(fill));
         });
@@ -78,20 +80,28 @@ void check_within(const Shape& shape, const Domain& domain, const ChargeInput& c
     const Place& place = charge.places.of(charge.center ? "center" : "shape");
     const Box bounds = shape.bounds();
     if (!(shape.volume_within(domain.box) > 1e-9 * shape.volume()))
-        throw InputError(fmt::format("the charge, around ({}, {}, {}) m, lies outside the gas box", bounds.center().x, bounds.center().y, bounds.center().z),
+        throw InputError(fmt::format("the charge, around ({}, {}, {}) m, lies outside the gas box", bounds.center().x, bounds.center().y,
+                                     bounds.center().z),
                          "expected it within the box of [gas]: move the charge or enlarge the box", place);
     for (int face = 0; face < face_count; ++face) {
         const int axis = face / 2;
         const double out = face % 2 == 0 ? domain.box.lower[axis] - bounds.lower[axis] : bounds.upper[axis] - domain.box.upper[axis];
         if (domain.edges[static_cast<std::size_t>(face)] != Edge::rigid && out > 1e-9 * bounds.size()[axis])
-            throw InputError(fmt::format("the charge sticks {:.4g} m out of the gas box at {}", out, face_names[face]), "expected it within the box, or that edge \"rigid\" if it is a plane of symmetry", place);
+            throw InputError(fmt::format("the charge sticks {:.4g} m out of the gas box at {}", out, face_names[face]),
+                             "expected it within the box, or that edge \"rigid\" if it is a plane of symmetry", place);
     }
 }
 
 Charge make_charge(const ChargeInput& input, const Shape& shape, std::uint32_t species, std::size_t index)
 {
     const ExplosiveValues& values = *input.explosive.values;
-    Charge charge{fmt::format("charge {}", index + 1), species, values.detonation_velocity, values.energy_density / values.density, values.density, {}, 0};
+    Charge charge{fmt::format("charge {}", index + 1),
+                  species,
+                  values.detonation_velocity,
+                  values.energy_density / values.density,
+                  values.density,
+                  {},
+                  0};
     for (const DetonationInput& lit : input.detonation) charge.points.push_back({lit.point, lit.time});
     if (charge.points.empty()) charge.points.push_back({input.center.value_or(shape.bounds().center()), 0.0});
     return charge;
@@ -99,14 +109,16 @@ Charge make_charge(const ChargeInput& input, const Shape& shape, std::uint32_t s
 
 void add_charges(GasPlan& plan, const CaseDescription& description, std::vector<std::string>& warnings)
 {
-    if (description.charges.size() > 255) throw InputError("there are more than 255 charges", "expected fewer", description.charges.back().places.own);
+    if (description.charges.size() > 255)
+        throw InputError("there are more than 255 charges", "expected fewer", description.charges.back().places.own);
     for (std::size_t i = 0; i < description.charges.size(); ++i) {
         const ChargeInput& input = description.charges[i];
         const ExplosiveValues& values = *input.explosive.values;
         const Shape shape = make_charge_shape(input, description);
         check_within(shape, plan.gas.domain, input);
         for (std::size_t j = 0; j < i; ++j)
-            if (plan.charge_shapes[j].bounds().overlaps(shape.bounds())) warnings.push_back(fmt::format("charges {} and {} may overlap: the later one takes the place", j + 1, i + 1));
+            if (plan.charge_shapes[j].bounds().overlaps(shape.bounds()))
+                warnings.push_back(fmt::format("charges {} and {} may overlap: the later one takes the place", j + 1, i + 1));
         at_place(input.explosive.place, [&] {
             const EquationOfState law = make_law(values.law, values.density);
             check(law, values.name);
@@ -139,7 +151,8 @@ std::vector<std::size_t> species_counts(const GasPlan& plan, const ParticleCount
     std::vector<double> masses(count), products(count), others(count);
     for (std::uint32_t s = 0; s < count; ++s) {
         masses[s] = species_sum(plan, s, plan.masses);
-        const bool explosive = std::any_of(plan.gas.charges.begin(), plan.gas.charges.end(), [&](const Charge& charge) { return charge.species == s; });
+        const bool explosive =
+            std::any_of(plan.gas.charges.begin(), plan.gas.charges.end(), [&](const Charge& charge) { return charge.species == s; });
         (explosive ? products : others)[s] = masses[s];
     }
     if (wanted.total) return share_particles(masses, *wanted.total);
@@ -161,11 +174,17 @@ void share_out(GasPlan& plan, const GasInput& input)
     for (std::uint32_t s = 0; s < plan.gas.species.size(); ++s) {
         Species& species = plan.gas.species[s];
         const double mass = species_sum(plan, s, plan.masses);
-        if (!(mass > 0)) throw InputError(fmt::format("nothing is left of the gas '{}': later fills take its whole place", species.name), "leave it out or make room for it", input.places.own);
-        if (counts[s] == 0) throw InputError(fmt::format("the gas '{}' ({:.4g} kg) gets no particles", species.name, mass), "expected more particles: a total, or products and air", input.places.of("particles"));
+        if (!(mass > 0))
+            throw InputError(fmt::format("nothing is left of the gas '{}': later fills take its whole place", species.name),
+                             "leave it out or make room for it", input.places.own);
+        if (counts[s] == 0)
+            throw InputError(fmt::format("the gas '{}' ({:.4g} kg) gets no particles", species.name, mass),
+                             "expected more particles: a total, or products and air", input.places.of("particles"));
         species.particle_mass = mass / static_cast<double>(counts[s]);
     }
-    for (std::size_t i = 0; i < plan.fills.size(); ++i) plan.counts.push_back(static_cast<std::size_t>(std::llround(plan.masses[i] / plan.gas.species[plan.fills[i].species].particle_mass)));
+    for (std::size_t i = 0; i < plan.fills.size(); ++i)
+        plan.counts.push_back(
+            static_cast<std::size_t>(std::llround(plan.masses[i] / plan.gas.species[plan.fills[i].species].particle_mass)));
 }
 
 /// Does the shape hold any point of the triangle? Halved until its edges are shorter than `fine`.
@@ -185,7 +204,8 @@ bool meets(const Shape& shape, const std::array<Vector3d, 3>& corner, double fin
         }
     }
     if (length < fine) return false;
-    const Vector3d a = corner[static_cast<std::size_t>(longest)], b = corner[static_cast<std::size_t>((longest + 1) % 3)], c = corner[static_cast<std::size_t>((longest + 2) % 3)];
+    const Vector3d a = corner[static_cast<std::size_t>(longest)], b = corner[static_cast<std::size_t>((longest + 1) % 3)],
+                   c = corner[static_cast<std::size_t>((longest + 2) % 3)];
     const Vector3d middle = 0.5 * (a + b);
     return meets(shape, {a, middle, c}, fine) || meets(shape, {middle, b, c}, fine);
 }
@@ -195,7 +215,8 @@ bool meets(const Shape& shape, const std::array<Vector3d, 3>& corner, double fin
 EquationOfState make_law(const LawValues& values, double density)
 {
     if (values.jwl) return Jwl{values.jwl->a, values.jwl->b, values.jwl->r1, values.jwl->r2, values.jwl->omega, density};
-    if (values.noble_abel) return NobleAbel{values.noble_abel->gamma, values.noble_abel->co_volume, values.noble_abel->reference_density.value_or(density)};
+    if (values.noble_abel)
+        return NobleAbel{values.noble_abel->gamma, values.noble_abel->co_volume, values.noble_abel->reference_density.value_or(density)};
     return IdealGas{values.ideal ? values.ideal->gamma : 1.4};
 }
 
@@ -208,7 +229,8 @@ GasPlan plan_gas(const CaseDescription& description, std::vector<std::string>& w
 {
     const GasInput& input = *description.gas;
     if (description.charges.empty() && description.fills.empty())
-        throw InputError("there is gas but no [[charge]] and no [[fill]]: nothing would happen", "expected a [[charge]] with explosive, mass and center", input.places.own);
+        throw InputError("there is gas but no [[charge]] and no [[fill]]: nothing would happen",
+                         "expected a [[charge]] with explosive, mass and center", input.places.own);
     GasPlan plan;
     plan.gas.settings.seed = input.seed;
     plan.gas.settings.mean_free_path = input.mean_free_path;
@@ -218,8 +240,10 @@ GasPlan plan_gas(const CaseDescription& description, std::vector<std::string>& w
     add_background(plan, input);
     add_fills(plan, description);
     add_charges(plan, description, warnings);
-    const bool ambient = std::find(plan.gas.domain.edges.begin(), plan.gas.domain.edges.end(), Edge::ambient) != plan.gas.domain.edges.end();
-    if (ambient && !input.fill) warnings.emplace_back("edges are \"ambient\" but [gas] has no fill: vacuum lies outside, so they act as \"open\"");
+    const bool ambient =
+        std::find(plan.gas.domain.edges.begin(), plan.gas.domain.edges.end(), Edge::ambient) != plan.gas.domain.edges.end();
+    if (ambient && !input.fill)
+        warnings.emplace_back("edges are \"ambient\" but [gas] has no fill: vacuum lies outside, so they act as \"open\"");
     share_out(plan, input);
     return plan;
 }
@@ -235,8 +259,10 @@ void check_charges_apart(const GasPlan& plan, const Structure& structure, const 
             const std::array<Vector3d, 3> corner{at[facet.node[0]], at[facet.node[1]], at[facet.node[2]]};
             if (!meets(shape, corner, fine)) continue;
             const Vector3d middle = (1.0 / 3.0) * (corner[0] + corner[1] + corner[2]);
-            throw InputError(fmt::format("the charge overlaps part '{}' near ({:.4g}, {:.4g}, {:.4g}) m", structure.parts[facet.part].name, middle.x, middle.y, middle.z),
-                             "move one of them: expected the whole charge on one side of the part", description.charges[i].places.of(description.charges[i].center ? "center" : "shape"));
+            throw InputError(fmt::format("the charge overlaps part '{}' near ({:.4g}, {:.4g}, {:.4g}) m", structure.parts[facet.part].name,
+                                         middle.x, middle.y, middle.z),
+                             "move one of them: expected the whole charge on one side of the part",
+                             description.charges[i].places.of(description.charges[i].center ? "center" : "shape"));
         }
     }
 }

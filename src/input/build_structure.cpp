@@ -26,7 +26,8 @@ int flush_divisions(const PartInput& ring, const CaseDescription& description)
         if (!part.mesh.disk) continue;
         const DiskInput& disk = *part.mesh.disk;
         const bool same_radius = std::abs(disk.radius - ring.mesh.ring->inner_radius) <= 1e-9 * disk.radius;
-        if (same_radius && disk.quarter == ring.mesh.ring->quarter && part.mesh.move == ring.mesh.move) return rim_divisions(disk.radius, disk.element_size, disk.quarter);
+        if (same_radius && disk.quarter == ring.mesh.ring->quarter && part.mesh.move == ring.mesh.move)
+            return rim_divisions(disk.radius, disk.element_size, disk.quarter);
     }
     return 0;
 }
@@ -38,7 +39,8 @@ Mesh only_group(const Mesh& mesh, const std::string& group, const Place& place)
     if (found == mesh.element_sets.end()) {
         std::vector<std::string> names;
         for (const auto& [name, elements] : mesh.element_sets) names.push_back(name);
-        throw InputError(fmt::format("the mesh has no group '{}'", group), names.empty() ? "the mesh has no groups of elements" : suggestion(group, names), place);
+        throw InputError(fmt::format("the mesh has no group '{}'", group),
+                         names.empty() ? "the mesh has no groups of elements" : suggestion(group, names), place);
     }
     Mesh part = mesh;
     part.elements.clear();
@@ -52,8 +54,11 @@ Mesh generated_mesh(const PartInput& part, const CaseDescription& description)
 {
     const MeshInput& mesh = part.mesh;
     if (mesh.disk) return disk_mesh(mesh.disk->radius, mesh.disk->element_size, mesh.disk->quarter);
-    if (mesh.ring) return ring_mesh(mesh.ring->inner_radius, mesh.ring->outer_radius, mesh.ring->element_size, mesh.ring->quarter, flush_divisions(part, description));
-    if (mesh.rectangle) return rectangle_mesh(mesh.rectangle->origin, mesh.rectangle->edge_1, mesh.rectangle->edge_2, mesh.rectangle->element_size);
+    if (mesh.ring)
+        return ring_mesh(mesh.ring->inner_radius, mesh.ring->outer_radius, mesh.ring->element_size, mesh.ring->quarter,
+                         flush_divisions(part, description));
+    if (mesh.rectangle)
+        return rectangle_mesh(mesh.rectangle->origin, mesh.rectangle->edge_1, mesh.rectangle->edge_2, mesh.rectangle->element_size);
     return box_mesh(box_of(mesh.box->box), mesh.box->element_size);
 }
 
@@ -71,7 +76,9 @@ Hold make_hold(const Mesh& mesh, const FixInput& fix)
         case Held::z: hold.translation.z = true; break;
         case Held::symmetry: {
             const auto plane = parse_plane(fix.where);
-            if (!plane) throw InputError(fmt::format("dof = \"symmetry\" needs a plane, '{}' is none", fix.where), "expected where = \"x=0\" or another plane across an axis", fix.places.of("where"));
+            if (!plane)
+                throw InputError(fmt::format("dof = \"symmetry\" needs a plane, '{}' is none", fix.where),
+                                 "expected where = \"x=0\" or another plane across an axis", fix.places.of("where"));
             return symmetry(std::move(nodes), plane->axis);
         }
     }
@@ -91,7 +98,9 @@ PartDescription describe(const PartInput& part, const CaseDescription& descripti
     });
     built.element = part.element.shell ? ElementKind::shell : ElementKind::rigid;
     if (part.element.shell) {
-        if (!part.material) throw InputError(fmt::format("part '{}' has no material, so it has no mass", part.name), "expected material = \"rha_steel\" or another (`corpuscle list materials`)", part.places.own);
+        if (!part.material)
+            throw InputError(fmt::format("part '{}' has no material, so it has no mass", part.name),
+                             "expected material = \"rha_steel\" or another (`corpuscle list materials`)", part.places.own);
         built.material = make_material(*part.material->values);
         built.thickness = part.element.shell->thickness;
         built.points = part.element.shell->points;
@@ -111,7 +120,8 @@ Material make_material(const MaterialValues& values)
     if (values.strength.bilinear) {
         const BilinearValues& b = *values.strength.bilinear;
         if (b.rate_c > 0 && !(b.rate_p >= 1))
-            throw InputError(fmt::format("material '{}' has rate_c but rate_p = {}", values.name, b.rate_p), "expected rate_p >= 1 beside rate_c", values.places.own);
+            throw InputError(fmt::format("material '{}' has rate_c but rate_p = {}", values.name, b.rate_p),
+                             "expected rate_p >= 1 beside rate_c", values.places.own);
         material.strength = BilinearPlastic{b.yield_stress, b.hardening_modulus, b.rate_c, std::max(1.0, b.rate_p), b.kinematic};
     }
     return material;
@@ -120,7 +130,8 @@ Material make_material(const MaterialValues& values)
 Mesh make_mesh(const PartInput& part, const CaseDescription& description)
 {
     const Place& place = part.places.of("mesh");
-    Mesh mesh = part.mesh.file ? mesh_from_file(*part.mesh.file, part.mesh.unit, description, place) : at_place(place, [&] { return generated_mesh(part, description); });
+    Mesh mesh = part.mesh.file ? mesh_from_file(*part.mesh.file, part.mesh.unit, description, place)
+                               : at_place(place, [&] { return generated_mesh(part, description); });
     if (!part.mesh.group.empty()) mesh = only_group(mesh, part.mesh.group, part.mesh.places.of("group"));
     translate(mesh, part.mesh.move);
     return mesh;

@@ -18,7 +18,8 @@ void check_unique(const std::vector<Named>& things, const char* what, Problems& 
         const Place& place = things[i].places.of("name");
         if (things[i].name.empty()) problems.add(fmt::format("a {} has an empty name", what), "expected a word", place);
         const auto same = [&](const Named& earlier) { return earlier.name == things[i].name; };
-        if (std::any_of(things.begin(), things.begin() + static_cast<std::ptrdiff_t>(i), same)) problems.add(fmt::format("a second {} is called '{}'", what, things[i].name), "expected a name of its own", place);
+        if (std::any_of(things.begin(), things.begin() + static_cast<std::ptrdiff_t>(i), same))
+            problems.add(fmt::format("a second {} is called '{}'", what, things[i].name), "expected a name of its own", place);
     }
 }
 
@@ -34,16 +35,22 @@ void check_gauges(const CaseDescription& description, Problems& problems)
 {
     for (const GaugeInput& gauge : description.gauges) {
         if (gauge.facets) check_part(description, *gauge.facets, gauge.places.of("facets"), problems);
-        if (!gauge.facets && !description.gas) problems.add(fmt::format("gauge '{}' measures gas, but there is none", gauge.name), "expected a [gas], or a gauge on facets", gauge.places.own);
+        if (!gauge.facets && !description.gas)
+            problems.add(fmt::format("gauge '{}' measures gas, but there is none", gauge.name), "expected a [gas], or a gauge on facets",
+                         gauge.places.own);
     }
 }
 
 void check_whole(const CaseDescription& description, Problems& problems)
 {
-    if (!description.gas && description.parts.empty()) problems.add("there is neither [gas] nor [[part]]: nothing to simulate", "expected one of them; `corpuscle new plate` writes a case to start from", description.places.own);
+    if (!description.gas && description.parts.empty())
+        problems.add("there is neither [gas] nor [[part]]: nothing to simulate",
+                     "expected one of them; `corpuscle new plate` writes a case to start from", description.places.own);
     if (description.gas) return;
-    for (const ChargeInput& charge : description.charges) problems.add("there is a [[charge]] but no [gas] for its products", "expected a [gas] with box and particles", charge.places.own);
-    for (const FillInput& fill : description.fills) problems.add("there is a [[fill]] but no [gas]", "expected a [gas] with box and particles", fill.places.own);
+    for (const ChargeInput& charge : description.charges)
+        problems.add("there is a [[charge]] but no [gas] for its products", "expected a [gas] with box and particles", charge.places.own);
+    for (const FillInput& fill : description.fills)
+        problems.add("there is a [[fill]] but no [gas]", "expected a [gas] with box and particles", fill.places.own);
 }
 
 }  // namespace
@@ -56,8 +63,12 @@ void check_names(const CaseDescription& description)
     check_unique(description.gauges, "gauge", problems);
     for (const LoadInput& load : description.loads) check_part(description, load.part, load.places.of("part"), problems);
     for (const ProbeInput& probe : description.probes) {
-        if (description.parts.empty()) problems.add(fmt::format("probe '{}' needs a node, but the case has no [[part]]", probe.name), "expected a part, or no probe", probe.places.own);
-        if (probe.quantities.empty()) problems.add(fmt::format("probe '{}' records nothing", probe.name), "expected quantities = [\"displacement\"]", probe.places.of("quantities"));
+        if (description.parts.empty())
+            problems.add(fmt::format("probe '{}' needs a node, but the case has no [[part]]", probe.name), "expected a part, or no probe",
+                         probe.places.own);
+        if (probe.quantities.empty())
+            problems.add(fmt::format("probe '{}' records nothing", probe.name), "expected quantities = [\"displacement\"]",
+                         probe.places.of("quantities"));
     }
     check_gauges(description, problems);
     check_whole(description, problems);

@@ -21,7 +21,9 @@ EquationOfState law_of(const GasValues& values, double density)
 /// R T / M [J/kg] = p/rho of the gas when it is thin.
 double thermal_energy(const GasValues& values, double temperature)
 {
-    if (!values.molar_mass) throw InputError(fmt::format("the gas '{}' has a temperature but no molar mass", values.name), "expected molar_mass, or a pressure in place of the temperature");
+    if (!values.molar_mass)
+        throw InputError(fmt::format("the gas '{}' has a temperature but no molar mass", values.name),
+                         "expected molar_mass, or a pressure in place of the temperature");
     return gas_constant * temperature / *values.molar_mass;
 }
 
@@ -30,9 +32,13 @@ GasState checked_state(const GasValues& values, const EquationOfState& law, doub
 {
     check(law, values.name);
     if (density > largest_density(law))
-        throw InputError(fmt::format("density {:.4g} kg/m3 is beyond what the law of gas '{}' allows", density, values.name), fmt::format("expected at most {:.4g} kg/m3", largest_density(law)));
+        throw InputError(fmt::format("density {:.4g} kg/m3 is beyond what the law of gas '{}' allows", density, values.name),
+                         fmt::format("expected at most {:.4g} kg/m3", largest_density(law)));
     const double p = pressure(law, density, energy_per_mass);
-    if (!(energy_per_mass > 0) || !(p > 0)) throw InputError(fmt::format("the gas '{}' cannot have this pressure at {:.4g} kg/m3: its energy would be {:.4g} J/kg", values.name, density, energy_per_mass), "expected a larger pressure or a smaller density");
+    if (!(energy_per_mass > 0) || !(p > 0))
+        throw InputError(fmt::format("the gas '{}' cannot have this pressure at {:.4g} kg/m3: its energy would be {:.4g} J/kg", values.name,
+                                     density, energy_per_mass),
+                         "expected a larger pressure or a smaller density");
     return {law, density, p, energy_per_mass};
 }
 
@@ -46,7 +52,9 @@ GasState usual_state(const GasValues& values)
     const double density = values.density ? *values.density : *values.pressure / thermal_energy(values, *values.temperature);
     const EquationOfState law = law_of(values, density);
     if (values.pressure) return checked_state(values, law, density, energy(law, density, *values.pressure));
-    if (!values.temperature) throw InputError(fmt::format("the gas '{}' has a density but neither pressure nor temperature", values.name), "expected one of them");
+    if (!values.temperature)
+        throw InputError(fmt::format("the gas '{}' has a density but neither pressure nor temperature", values.name),
+                         "expected one of them");
     return checked_state(values, law, density, thermal_energy(values, *values.temperature) / (heat_capacity_ratio(law) - 1));
 }
 

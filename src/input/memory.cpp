@@ -40,7 +40,8 @@ std::size_t check_memory(std::size_t particles, std::size_t elements, const Plac
     if (machine.total == 0 || needed <= machine.total) return needed;
     const std::size_t fixed = needed_memory(0, elements);
     const std::size_t room = machine.total > fixed ? (machine.total - fixed) / bytes_a_particle : 0;
-    throw InputError(fmt::format("{} particles and {} elements need about {}, this machine has {}", particles, elements, bytes_text(needed), bytes_text(machine.total)),
+    throw InputError(fmt::format("{} particles and {} elements need about {}, this machine has {}", particles, elements, bytes_text(needed),
+                                 bytes_text(machine.total)),
                      fmt::format("expected at most about {} particles here", room), place);
 }
 

@@ -54,7 +54,10 @@ std::string one_of_kind(PresetKind kind)
 template <class Values>
 class Library {
 public:
-    Library(PresetKind kind, const std::vector<path>& folders, Problems& problems) : kind_(kind), files_(preset_files(kind, folders)), problems_(problems) {}
+    Library(PresetKind kind, const std::vector<path>& folders, Problems& problems)
+        : kind_(kind), files_(preset_files(kind, folders)), problems_(problems)
+    {
+    }
 
     void resolve(Preset<Values>& preset)
     {
@@ -75,7 +78,8 @@ private:
         for (const auto& [name, file] : files_) names.push_back(name);
         const bool near = !nearest_names(preset.name, names).empty();
         std::string remedy = near ? suggestion(preset.name, names) + " " : "";
-        remedy += names.empty() ? "no folder of presets was found: set CORPUSCLE_SHARE" : fmt::format("known {}: {}", folder_name(kind_), listed(names, 60));
+        remedy += names.empty() ? "no folder of presets was found: set CORPUSCLE_SHARE"
+                                : fmt::format("known {}: {}", folder_name(kind_), listed(names, 60));
         problems_.add(fmt::format("unknown {} '{}'", one_of_kind(kind_), preset.name), remedy, preset.place);
     }
 

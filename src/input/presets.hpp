@@ -24,7 +24,8 @@ struct PresetEntry {
 
 /// Folders to look in, first come first served: $CORPUSCLE_SHARE, `share` beside the case, the user's own
 /// (~/.config/corpuscle), then the installed ones.
-[[nodiscard]] std::vector<std::filesystem::path> preset_folders(const std::filesystem::path& case_folder, const std::vector<std::filesystem::path>& installed);
+[[nodiscard]] std::vector<std::filesystem::path> preset_folders(const std::filesystem::path& case_folder,
+                                                                const std::vector<std::filesystem::path>& installed);
 
 /// Every preset of a kind, by name; where two folders have the same name, the first folder's. Errors: InputError for a broken file.
 [[nodiscard]] std::vector<PresetEntry> list_presets(PresetKind kind, const std::vector<std::filesystem::path>& folders);

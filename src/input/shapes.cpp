@@ -18,7 +18,9 @@ using std::numbers::pi;
 void require_ordered(const BoxRanges& box, const Place& place)
 {
     for (const auto& [low, high] : box)
-        if (!(low < high)) throw InputError(fmt::format("the box runs from {} m to {} m along an axis", low, high), "expected the lower end first, and some length", place);
+        if (!(low < high))
+            throw InputError(fmt::format("the box runs from {} m to {} m along an axis", low, high),
+                             "expected the lower end first, and some length", place);
 }
 
 /// The shape of a charge of which form, mass and center are given.
@@ -47,7 +49,8 @@ Mesh mesh_from_file(const std::string& file, const std::string& unit, const Case
 {
     return at_place(place, [&] {
         const std::string full = file_beside(file, description);
-        if (!std::filesystem::exists(full)) throw InputError(fmt::format("there is no mesh file '{}'", full), "expected a file beside the case, or its full path", place);
+        if (!std::filesystem::exists(full))
+            throw InputError(fmt::format("there is no mesh file '{}'", full), "expected a file beside the case, or its full path", place);
         return read_mesh(full, convert("1 " + unit, "m"));
     });
 }
@@ -62,21 +65,27 @@ Shape make_shape(const ShapeInput& input, const CaseDescription& description)
         }
         if (input.sphere) return Shape::sphere(input.sphere->center, input.sphere->radius);
         if (input.hemisphere) return Shape::hemisphere(input.hemisphere->center, input.hemisphere->radius, input.hemisphere->axis);
-        if (input.cylinder) return Shape::cylinder(input.cylinder->center, input.cylinder->radius, input.cylinder->length, input.cylinder->axis);
+        if (input.cylinder)
+            return Shape::cylinder(input.cylinder->center, input.cylinder->radius, input.cylinder->length, input.cylinder->axis);
         if (input.ellipsoid) return Shape::ellipsoid(input.ellipsoid->center, input.ellipsoid->semi_axes);
-        if (input.surface) return Shape::surface(mesh_from_file(input.surface->file, input.surface->unit, description, place), input.surface->file);
-        throw InputError("the shape has a form but no size", "expected a shape with its size, such as shape = { sphere = { center = [0, 0, 0], radius = \"0.1 m\" } }", place);
+        if (input.surface)
+            return Shape::surface(mesh_from_file(input.surface->file, input.surface->unit, description, place), input.surface->file);
+        throw InputError("the shape has a form but no size",
+                         "expected a shape with its size, such as shape = { sphere = { center = [0, 0, 0], radius = \"0.1 m\" } }", place);
     });
 }
 
 Shape make_charge_shape(const ChargeInput& charge, const CaseDescription& description)
 {
     if (!charge.shape.form) {
-        if (charge.mass) throw InputError("the charge has both a mass and a shape with its size", "leave one out: the explosive's density joins them", charge.places.of("mass"));
+        if (charge.mass)
+            throw InputError("the charge has both a mass and a shape with its size", "leave one out: the explosive's density joins them",
+                             charge.places.of("mass"));
         return make_shape(charge.shape, description);
     }
     if (!charge.mass || !charge.center)
-        throw InputError(fmt::format("the charge has a form but no {}", charge.mass ? "center" : "mass"), "expected mass and center, such as mass = \"15 kg\" and center = [0, 0, \"700 mm\"]", charge.places.own);
+        throw InputError(fmt::format("the charge has a form but no {}", charge.mass ? "center" : "mass"),
+                         "expected mass and center, such as mass = \"15 kg\" and center = [0, 0, \"700 mm\"]", charge.places.own);
     return at_place(charge.places.own, [&] { return shape_of_form(charge); });
 }
 

@@ -23,7 +23,9 @@ std::size_t check_room(const CaseDescription& description, const CaseSurvey& sur
 void warn_of_room(CaseSurvey& survey)
 {
     const std::size_t free = machine_memory().available;
-    if (free > 0 && survey.memory > free) survey.warnings.push_back(fmt::format("the run needs about {}, of which only {} are free now", bytes_text(survey.memory), bytes_text(free)));
+    if (free > 0 && survey.memory > free)
+        survey.warnings.push_back(
+            fmt::format("the run needs about {}, of which only {} are free now", bytes_text(survey.memory), bytes_text(free)));
 }
 
 void check_products(const CaseDescription& description)
@@ -31,8 +33,12 @@ void check_products(const CaseDescription& description)
     const ParticleCounts& counts = description.gas->particles;
     const Place& place = description.gas->places.of("particles");
     if (counts.total) return;
-    if (!description.charges.empty() && !counts.products) throw InputError("there are charges but no particles for their products", "expected particles = 200_000, or { products = 100_000, air = 100_000 }", place);
-    if ((description.gas->fill || !description.fills.empty()) && !counts.air) throw InputError("there is gas besides the charges but no particles for it", "expected particles = 200_000, or { products = 100_000, air = 100_000 }", place);
+    if (!description.charges.empty() && !counts.products)
+        throw InputError("there are charges but no particles for their products",
+                         "expected particles = 200_000, or { products = 100_000, air = 100_000 }", place);
+    if ((description.gas->fill || !description.fills.empty()) && !counts.air)
+        throw InputError("there is gas besides the charges but no particles for it",
+                         "expected particles = 200_000, or { products = 100_000, air = 100_000 }", place);
 }
 
 /// Stable step and growth time of one fill: the spacing grows as the cloud spreads at its thermal speed.

@@ -16,7 +16,8 @@ bool in_range(double number, const Value& value, const Parameter& parameter, Pro
     if (parameter.range.holds(number)) return true;
     const std::string limits = parameter.range.unlimited() ? "finite" : parameter.range.text();
     const std::string unit = parameter.unit.empty() ? "" : " " + parameter.unit;
-    problems.add(fmt::format("{} = {} is out of range", parameter.key, inline_toml(value)), fmt::format("expected a number {}{}", limits, unit), value.place);
+    problems.add(fmt::format("{} = {} is out of range", parameter.key, inline_toml(value)),
+                 fmt::format("expected a number {}{}", limits, unit), value.place);
     return false;
 }
 
@@ -91,7 +92,8 @@ std::optional<std::size_t> read_choice(const Value& value, const Parameter& para
     for (std::size_t i = 0; i < parameter.choices.size(); ++i)
         if (parameter.choices[i] == value.text) return i;
     const std::string hint = nearest_names(value.text, parameter.choices).empty() ? "" : suggestion(value.text, parameter.choices) + " ";
-    problems.add(fmt::format("{} = \"{}\" is not known", parameter.key, value.text), hint + "expected one of " + listed(parameter.choices), value.place);
+    problems.add(fmt::format("{} = \"{}\" is not known", parameter.key, value.text), hint + "expected one of " + listed(parameter.choices),
+                 value.place);
     return std::nullopt;
 }
 
@@ -102,7 +104,9 @@ bool is_list_of(std::size_t count, const Value& value, const Parameter& paramete
         return false;
     }
     if (value.items.size() == count) return true;
-    const std::string remedy = parameter.example.empty() ? "expected " + expectation(parameter) : fmt::format("expected {} of them, such as {} = {}", count, parameter.key, parameter.example);
+    const std::string remedy = parameter.example.empty()
+                                   ? "expected " + expectation(parameter)
+                                   : fmt::format("expected {} of them, such as {} = {}", count, parameter.key, parameter.example);
     problems.add(fmt::format("'{}' has a list of {} here", parameter.key, value.items.size()), remedy, value.place);
     return false;
 }

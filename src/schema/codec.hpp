@@ -66,7 +66,10 @@ struct Codec<T> {
     {
         if (const auto number = read_number(value, parameter, problems)) target = static_cast<T>(*number);
     }
-    static std::optional<Value> write(const T& source, const Parameter& parameter) { return write_number(static_cast<double>(source), parameter); }
+    static std::optional<Value> write(const T& source, const Parameter& parameter)
+    {
+        return write_number(static_cast<double>(source), parameter);
+    }
 };
 
 template <std::integral T>

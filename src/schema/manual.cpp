@@ -98,14 +98,16 @@ std::string explain(const Table& root, const std::string& key)
         names.push_back(key.find('.') == std::string::npos ? named.parameter->key : named.path);
     }
     const std::vector<std::string> near = nearest_names(key, names);
-    throw InputError(fmt::format("no parameter of a case is called '{}'", key), near.empty() ? "the tables are " + listed(root.keys()) : suggestion(key, names));
+    throw InputError(fmt::format("no parameter of a case is called '{}'", key),
+                     near.empty() ? "the tables are " + listed(root.keys()) : suggestion(key, names));
 }
 
 std::string reference_page(const Table& root)
 {
     std::string text = fmt::format("# The case file\n\n{}\n", root.meaning);
-    text += "\nMade from the program's own table of parameters by `corpuscle explain --markdown`; `corpuscle explain KEY` shows one of them.\n"
-            "A number is SI; a text carries its unit (\"15 kg\"), as UDUNITS-2 knows it.\n";
+    text +=
+        "\nMade from the program's own table of parameters by `corpuscle explain --markdown`; `corpuscle explain KEY` shows one of them.\n"
+        "A number is SI; a text carries its unit (\"15 kg\"), as UDUNITS-2 knows it.\n";
     text += table_section("The case itself", root);
     for (const NamedParameter& named : all_parameters(root)) {
         if (named.parameter->table == nullptr) continue;

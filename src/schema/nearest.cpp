@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -48,16 +49,18 @@ std::vector<std::string> nearest_names(const std::string& word, const std::vecto
 {
     struct Candidate {
         std::size_t distance;
+        std::size_t place;  // among the names: of equals the first
         std::string name;
     };
     const std::string wanted = lower_case(word);
     const std::size_t limit = 2 * std::max<std::size_t>(1, (wanted.size() + 1) / 3);
     std::vector<Candidate> candidates;
-    for (const std::string& name : names) {
-        const std::size_t distance = unlikeness(wanted, lower_case(name));
-        if (distance <= limit) candidates.push_back({distance, name});
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const std::size_t distance = unlikeness(wanted, lower_case(names[i]));
+        if (distance <= limit) candidates.push_back({distance, i, names[i]});
     }
-    std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) { return a.distance < b.distance; });
+    std::sort(candidates.begin(), candidates.end(),
+              [](const Candidate& a, const Candidate& b) { return std::pair(a.distance, a.place) < std::pair(b.distance, b.place); });
     std::vector<std::string> best;
     for (const Candidate& candidate : candidates) {
         if (best.size() == most) break;
@@ -77,7 +80,8 @@ std::string suggestion(const std::string& word, const std::vector<std::string>& 
 std::string listed(const std::vector<std::string>& names, std::size_t most)
 {
     if (names.size() <= most) return fmt::format("{}", fmt::join(names, ", "));
-    return fmt::format("{} and {} more", fmt::join(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(most), ", "), names.size() - most);
+    return fmt::format("{} and {} more", fmt::join(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(most), ", "),
+                       names.size() - most);
 }
 
 }  // namespace corpuscle

@@ -48,8 +48,8 @@ void check_alternatives(const Table& table, const Value& value, Problems& proble
         if (given.empty() && alternative.required)
             problems.add(fmt::format("'{}' has none of {}", table.name, names), "expected exactly one of them", value.place);
         if (given.size() > 1)
-            problems.add(fmt::format("'{}' has {} at once", table.name, fmt::join(given, " and ")), fmt::format("expected {} one of {}", alternative.required ? "exactly" : "at most", names),
-                         value.place);
+            problems.add(fmt::format("'{}' has {} at once", table.name, fmt::join(given, " and ")),
+                         fmt::format("expected {} one of {}", alternative.required ? "exactly" : "at most", names), value.place);
     }
 }
 
@@ -80,7 +80,8 @@ void read_table(void* description, const Table& table, const Value& value, Probl
     if (value.kind != ValueKind::table) {
         const Parameter* plain = table.find(table.shorthand);
         if (plain != nullptr) return plain->read(description, value, problems);
-        problems.add(fmt::format("'{}' is {}", table.name, value.kind_name()), "expected a table with the keys " + listed(table.keys()), value.place);
+        problems.add(fmt::format("'{}' is {}", table.name, value.kind_name()), "expected a table with the keys " + listed(table.keys()),
+                     value.place);
         return;
     }
     for (std::size_t i = 0; i < value.keys.size(); ++i) {

@@ -23,10 +23,10 @@ struct Parameter {
     std::string example;  ///< right-hand side as in a case; empty if the kind says enough
     bool required = false;
 
-    std::string kind;                        ///< what it takes, in words
-    std::vector<std::string> choices;        ///< words it takes, if only some
-    const Table& (*table)() = nullptr;       ///< rows of its inner table, if it is one (or a list of them)
-    bool many = false;                       ///< a list of tables
+    std::string kind;                   ///< what it takes, in words
+    std::vector<std::string> choices;   ///< words it takes, if only some
+    const Table& (*table)() = nullptr;  ///< rows of its inner table, if it is one (or a list of them)
+    bool many = false;                  ///< a list of tables
 
     /// Reads a value into the member of the description at the address.
     std::function<void(void*, const Value&, Problems&)> read;
@@ -55,10 +55,10 @@ struct Table {
     std::string meaning;  ///< one or two sentences
     std::vector<Parameter> rows;
     std::vector<Alternative> alternatives;
-    std::string shorthand;  ///< the key a plain value stands for, where a table may be written as one word or number
-    std::function<void*()> make_default;                      ///< a description with its defaults (given to drop_default)
+    std::string shorthand;                ///< the key a plain value stands for, where a table may be written as one word or number
+    std::function<void*()> make_default;  ///< a description with its defaults (given to drop_default)
     std::function<void(void*)> drop_default;
-    std::function<Places*(void*)> places;                     ///< null if the description keeps none
+    std::function<Places*(void*)> places;  ///< null if the description keeps none
 
     [[nodiscard]] const Parameter* find(const std::string& key) const;
     [[nodiscard]] std::vector<std::string> keys() const;

@@ -1,6 +1,8 @@
 #include "schema/problems.hpp"
 
 #include <algorithm>
+#include <numeric>
+#include <utility>
 
 namespace corpuscle {
 
@@ -25,8 +27,12 @@ void Problems::add(std::string problem, std::string remedy, Place place)
 void Problems::raise() const
 {
     if (found_.empty()) return;
-    std::vector<InputError> ordered = found_;
-    std::stable_sort(ordered.begin(), ordered.end(), [](const InputError& a, const InputError& b) { return a.place().line < b.place().line; });
+    std::vector<std::size_t> order(found_.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t a, std::size_t b) { return std::pair(found_[a].place().line, a) < std::pair(found_[b].place().line, b); });
+    std::vector<InputError> ordered;
+    for (const std::size_t i : order) ordered.push_back(found_[i]);
     if (ordered.size() == 1) throw ordered.front();
     throw InputProblems(std::move(ordered));
 }

@@ -20,7 +20,7 @@ struct Range {
 [[nodiscard]] Range any_number();
 [[nodiscard]] Range above(double low);
 [[nodiscard]] Range at_least(double low);
-[[nodiscard]] Range from_to(double low, double high);   ///< ends allowed
-[[nodiscard]] Range between(double low, double high);   ///< ends refused
+[[nodiscard]] Range from_to(double low, double high);  ///< ends allowed
+[[nodiscard]] Range between(double low, double high);  ///< ends refused
 
 }  // namespace corpuscle

@@ -27,27 +27,41 @@ public:
         table_.meaning = std::move(meaning);
         table_.make_default = [] { return static_cast<void*>(new Description{}); };
         table_.drop_default = [](void* description) { delete static_cast<Description*>(description); };
-        if constexpr (requires(Description d) { d.places; }) table_.places = [](void* description) { return &static_cast<Description*>(description)->places; };
+        if constexpr (requires(Description d) { d.places; })
+            table_.places = [](void* description) { return &static_cast<Description*>(description)->places; };
     }
 
     /// A parameter that may be left out.
     template <class Member>
-    TableBuilder& row(std::string key, Member Description::*member, Facts facts)
+    TableBuilder& row(std::string key, Member Description::* member, Facts facts)
     {
-        Parameter parameter{std::move(key), std::move(facts.unit), facts.range, std::move(facts.meaning), std::move(facts.example), false, {}, {}, nullptr, false, {}, {}};
+        Parameter parameter{std::move(key),
+                            std::move(facts.unit),
+                            facts.range,
+                            std::move(facts.meaning),
+                            std::move(facts.example),
+                            false,
+                            {},
+                            {},
+                            nullptr,
+                            false,
+                            {},
+                            {}};
         Codec<Member>::describe(parameter);
         const Parameter described = parameter;
         parameter.read = [member, described](void* description, const Value& value, Problems& problems) {
             Codec<Member>::read(static_cast<Description*>(description)->*member, value, described, problems);
         };
-        parameter.write = [member, described](const void* description) { return Codec<Member>::write(static_cast<const Description*>(description)->*member, described); };
+        parameter.write = [member, described](const void* description) {
+            return Codec<Member>::write(static_cast<const Description*>(description)->*member, described);
+        };
         table_.rows.push_back(std::move(parameter));
         return *this;
     }
 
     /// A parameter that must be given.
     template <class Member>
-    TableBuilder& need(std::string key, Member Description::*member, Facts facts)
+    TableBuilder& need(std::string key, Member Description::* member, Facts facts)
     {
         row(std::move(key), member, std::move(facts));
         table_.rows.back().required = true;

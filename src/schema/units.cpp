@@ -52,10 +52,12 @@ constexpr std::array<Dimension, 22> dimensions{{
 const std::vector<std::string>& common_units()
 {
     static const std::vector<std::string> names{
-        "m",   "mm",  "cm",  "km",  "um",  "in",  "inch", "ft",  "foot",   "yard",    "kg",   "g",      "mg",     "t",     "lb",    "oz",     "s",   "ms",
-        "us",  "ns",  "min", "h",   "hour", "day", "K",    "degC", "Pa",     "kPa",     "MPa",  "GPa",    "bar",    "mbar",  "atm",   "psi",    "J",   "kJ",
-        "MJ",  "GJ",  "N",   "kN",  "MN",  "lbf", "W",    "kW",  "Hz",     "kHz",     "mol",  "L",      "m2",     "m3",    "cm3",   "mm3",    "m/s", "km/s",
-        "mm/ms", "ft/s", "km/h", "kg/m3", "g/cm3", "kg/mol", "g/mol", "J/kg", "kJ/kg", "MJ/kg", "GJ/m3", "J/m3", "1/s", "N s", "Pa s", "kPa ms", "degree", "radian", "percent"};
+        "m",    "mm",   "cm",    "km",   "um",     "in",     "inch",   "ft",     "foot",  "yard", "kg",    "g",     "mg",
+        "t",    "lb",   "oz",    "s",    "ms",     "us",     "ns",     "min",    "h",     "hour", "day",   "K",     "degC",
+        "Pa",   "kPa",  "MPa",   "GPa",  "bar",    "mbar",   "atm",    "psi",    "J",     "kJ",   "MJ",    "GJ",    "N",
+        "kN",   "MN",   "lbf",   "W",    "kW",     "Hz",     "kHz",    "mol",    "L",     "m2",   "m3",    "cm3",   "mm3",
+        "m/s",  "km/s", "mm/ms", "ft/s", "km/h",   "kg/m3",  "g/cm3",  "kg/mol", "g/mol", "J/kg", "kJ/kg", "MJ/kg", "GJ/m3",
+        "J/m3", "1/s",  "N s",   "Pa s", "kPa ms", "degree", "radian", "percent"};
     return names;
 }
 
@@ -73,7 +75,9 @@ ut_system* unit_system()
     static const System system = [] {
         ut_set_error_message_handler(ut_ignore);
         System read{ut_read_xml(nullptr)};
-        if (!read) throw InputError("the unit database of UDUNITS-2 cannot be read", "install libudunits2-0 and libudunits2-data, or set UDUNITS2_XML_PATH");
+        if (!read)
+            throw InputError("the unit database of UDUNITS-2 cannot be read",
+                             "install libudunits2-0 and libudunits2-data, or set UDUNITS2_XML_PATH");
         return read;
     }();
     return system.get();
@@ -140,7 +144,8 @@ double convert(const std::string& text, const std::string& unit)
     const Unit from = parse_unit(written), to = parse_unit(unit);
     if (!from) refuse_unknown_unit(text, written, unit);
     if (!same_dimension(from.get(), to.get())) {
-        const std::string what = written.empty() ? fmt::format("\"{}\" has no unit", text) : fmt::format("\"{}\" is a {}", text, dimension_name(written));
+        const std::string what =
+            written.empty() ? fmt::format("\"{}\" has no unit", text) : fmt::format("\"{}\" is a {}", text, dimension_name(written));
         throw InputError(what, expected);
     }
     return convert_between(value, from.get(), to.get());

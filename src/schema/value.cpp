@@ -13,7 +13,8 @@ namespace {
 /// A key, quoted where TOML wants it.
 std::string key_text(const std::string& key)
 {
-    const bool bare = !key.empty() && std::all_of(key.begin(), key.end(), [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '-'; });
+    const bool bare =
+        !key.empty() && std::all_of(key.begin(), key.end(), [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '-'; });
     return bare ? key : inline_toml(Value::of_text(key));
 }
 
@@ -67,7 +68,8 @@ std::string inline_list(const Value& value)
 std::string lines_of(const Value& table)
 {
     std::string out;
-    for (std::size_t i = 0; i < table.items.size(); ++i) out += fmt::format("{} = {}\n", key_text(table.keys[i].name), inline_toml(table.items[i]));
+    for (std::size_t i = 0; i < table.items.size(); ++i)
+        out += fmt::format("{} = {}\n", key_text(table.keys[i].name), inline_toml(table.items[i]));
     return out;
 }
 

@@ -75,6 +75,15 @@ def check_interrupt(folder):
     assert len(history_rows(folder / "cut")) == len(history_rows(folder / "whole"))
 
 
+def check_safety(folder):
+    """A plate far too thin for its load: the run stops itself, says where, and keeps a good state."""
+    words = ["--set", "part.0.element.shell.thickness=0.02 mm", "--set", "part.0.material=elastic_steel", "--set", "end_time=1 ms", "--set", "charge.0.mass=5 kg"]
+    error = execute(folder, "run", "case.toml", "--out", "torn", "--quiet", *words, check=3)[2]
+    assert "element" in error and "'plate'" in error and "Segmentation" not in error, error
+    assert json.loads((folder / "torn/summary.json").read_text())["status"] == "stopped"
+    assert any((folder / "torn/restart").iterdir())
+
+
 def check_report(folder):
     (folder / "t1/report.html").unlink()
     execute(folder, "report", "t1", check=0)
@@ -83,7 +92,7 @@ def check_report(folder):
 
 def main():
     folder = fresh_folder({"case.toml": CASE})
-    for check in [check_run, check_refusal_and_force, check_resolved, check_threads, check_interrupt, check_report]:
+    for check in [check_run, check_refusal_and_force, check_resolved, check_threads, check_interrupt, check_safety, check_report]:
         check(folder)
         print(f"{check.__name__}: as it should be", flush=True)
     shutil.rmtree(folder)

@@ -7,18 +7,19 @@ namespace corpuscle {
 template <>
 const Table& table_of<CaseDescription>()
 {
-    static const Table table = TableBuilder<CaseDescription>("", "A case says all that is simulated and recorded, in TOML 1.0.")
-                                   .row("title", &CaseDescription::title, {"", {}, "One line for people.", "\"15 kg TNT, 700 mm from a clamped RHA plate\""})
-                                   .need("end_time", &CaseDescription::end_time, {"s", above(0), "Simulated time.", "\"3 ms\""})
-                                   .row("gas", &CaseDescription::gas, {"", {}, "The gas of particles.", ""})
-                                   .row("charge", &CaseDescription::charges, {"", {}, "Charges of explosive.", ""})
-                                   .row("fill", &CaseDescription::fills, {"", {}, "Gas in shapes.", ""})
-                                   .row("part", &CaseDescription::parts, {"", {}, "Parts of the structure.", ""})
-                                   .row("load", &CaseDescription::loads, {"", {}, "Loads that are not gas.", ""})
-                                   .row("probe", &CaseDescription::probes, {"", {}, "Nodes whose motion is recorded.", ""})
-                                   .row("gauge", &CaseDescription::gauges, {"", {}, "Where pressure and impulse are recorded.", ""})
-                                   .row("output", &CaseDescription::output, {"", {}, "Files for pictures and for going on.", ""})
-                                   .table();
+    static const Table table =
+        TableBuilder<CaseDescription>("", "A case says all that is simulated and recorded, in TOML 1.0.")
+            .row("title", &CaseDescription::title, {"", {}, "One line for people.", "\"15 kg TNT, 700 mm from a clamped RHA plate\""})
+            .need("end_time", &CaseDescription::end_time, {"s", above(0), "Simulated time.", "\"3 ms\""})
+            .row("gas", &CaseDescription::gas, {"", {}, "The gas of particles.", ""})
+            .row("charge", &CaseDescription::charges, {"", {}, "Charges of explosive.", ""})
+            .row("fill", &CaseDescription::fills, {"", {}, "Gas in shapes.", ""})
+            .row("part", &CaseDescription::parts, {"", {}, "Parts of the structure.", ""})
+            .row("load", &CaseDescription::loads, {"", {}, "Loads that are not gas.", ""})
+            .row("probe", &CaseDescription::probes, {"", {}, "Nodes whose motion is recorded.", ""})
+            .row("gauge", &CaseDescription::gauges, {"", {}, "Where pressure and impulse are recorded.", ""})
+            .row("output", &CaseDescription::output, {"", {}, "Files for pictures and for going on.", ""})
+            .table();
     return table;
 }
 

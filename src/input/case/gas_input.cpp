@@ -27,10 +27,11 @@ const std::vector<std::pair<std::string, CollisionRule>>& words_of<CollisionRule
 template <>
 const Table& table_of<DetonationInput>()
 {
-    static const Table table = TableBuilder<DetonationInput>("detonation", "A point where the charge is lit; the front runs from it at the detonation velocity.")
-                                   .need("point", &DetonationInput::point, {"m", {}, "Where.", "[0, 0, \"700 mm\"]"})
-                                   .row("time", &DetonationInput::time, {"s", at_least(0), "When.", "\"10 us\""})
-                                   .table();
+    static const Table table =
+        TableBuilder<DetonationInput>("detonation", "A point where the charge is lit; the front runs from it at the detonation velocity.")
+            .need("point", &DetonationInput::point, {"m", {}, "Where.", "[0, 0, \"700 mm\"]"})
+            .row("time", &DetonationInput::time, {"s", at_least(0), "When.", "\"10 us\""})
+            .table();
     return table;
 }
 
@@ -41,11 +42,15 @@ const Table& table_of<ChargeInput>()
         TableBuilder<ChargeInput>("charge", "A charge of explosive. Give its form with mass and center, or a shape with its size.")
             .need("explosive", &ChargeInput::explosive, {"", {}, "What it is made of (`corpuscle list explosives`).", "\"tnt\""})
             .row("shape", &ChargeInput::shape, {"", {}, "Its form alone, or its whole shape.", "\"sphere\""})
-            .row("mass", &ChargeInput::mass, {"kg", above(0), "Mass of the whole charge, also where planes of symmetry cut it.", "\"15 kg\""})
+            .row("mass", &ChargeInput::mass,
+                 {"kg", above(0), "Mass of the whole charge, also where planes of symmetry cut it.", "\"15 kg\""})
             .row("center", &ChargeInput::center, {"m", {}, "Its center (of a hemisphere: of the whole ball).", "[0, 0, \"700 mm\"]"})
-            .row("axis", &ChargeInput::axis, {"", {}, "Axis of a cylinder; of a hemisphere, from the flat face into the dome.", "[0, 0, 1]"})
-            .row("length_over_diameter", &ChargeInput::length_over_diameter, {"", above(0), "Proportions of a cylinder that is given by its mass.", "1"})
-            .row("detonation", &ChargeInput::detonation, {"", {}, "Where and when it is lit; at its center at time 0 if not given.", "[{ point = [0, 0, \"700 mm\"], time = 0 }]"})
+            .row("axis", &ChargeInput::axis,
+                 {"", {}, "Axis of a cylinder; of a hemisphere, from the flat face into the dome.", "[0, 0, 1]"})
+            .row("length_over_diameter", &ChargeInput::length_over_diameter,
+                 {"", above(0), "Proportions of a cylinder that is given by its mass.", "1"})
+            .row("detonation", &ChargeInput::detonation,
+                 {"", {}, "Where and when it is lit; at its center at time 0 if not given.", "[{ point = [0, 0, \"700 mm\"], time = 0 }]"})
             .table();
     return table;
 }
@@ -53,21 +58,25 @@ const Table& table_of<ChargeInput>()
 template <>
 const Table& table_of<ParticleCounts>()
 {
-    static const Table table = TableBuilder<ParticleCounts>("particles", "How many particles the gas starts with.")
-                                   .row("total", &ParticleCounts::total, {"", from_to(1, most_particles), "In all, shared over the gases so that particle masses balance.", "200_000"})
-                                   .row("products", &ParticleCounts::products, {"", from_to(1, most_particles), "Of the charges.", "100_000"})
-                                   .row("air", &ParticleCounts::air, {"", from_to(1, most_particles), "Of all other gas.", "100_000"})
-                                   .shorthand("total")
-                                   .at_most_one_of({"total", "products"})
-                                   .at_most_one_of({"total", "air"})
-                                   .table();
+    static const Table table =
+        TableBuilder<ParticleCounts>("particles", "How many particles the gas starts with.")
+            .row("total", &ParticleCounts::total,
+                 {"", from_to(1, most_particles), "In all, shared over the gases so that particle masses balance.", "200_000"})
+            .row("products", &ParticleCounts::products, {"", from_to(1, most_particles), "Of the charges.", "100_000"})
+            .row("air", &ParticleCounts::air, {"", from_to(1, most_particles), "Of all other gas.", "100_000"})
+            .shorthand("total")
+            .at_most_one_of({"total", "products"})
+            .at_most_one_of({"total", "air"})
+            .table();
     return table;
 }
 
 template <>
 const Table& table_of<EdgesInput>()
 {
-    const std::string meaning = "Lower and upper face: `rigid` (a wall, also a plane of symmetry), `open` (gas leaves) or `ambient` (gas leaves, undisturbed gas flows in).";
+    const std::string meaning =
+        "Lower and upper face: `rigid` (a wall, also a plane of symmetry), `open` (gas leaves) or `ambient` (gas leaves, undisturbed gas "
+        "flows in).";
     static const Table table = TableBuilder<EdgesInput>("edges", "What the faces of the gas box do.")
                                    .row("x", &EdgesInput::x, {"", {}, meaning, "[\"rigid\", \"ambient\"]"})
                                    .row("y", &EdgesInput::y, {"", {}, meaning, "[\"rigid\", \"ambient\"]"})
@@ -81,15 +90,29 @@ const Table& table_of<GasInput>()
 {
     static const Table table =
         TableBuilder<GasInput>("gas", "The gas of particles.")
-            .need("box", &GasInput::box, {"m", {}, "The box that holds the gas: lower and upper x, y, z.", "[[0, \"1200 mm\"], [0, \"1200 mm\"], [\"-200 mm\", \"1400 mm\"]]"})
-            .row("edges", &GasInput::edges, {"", {}, "What its faces do.", "{ x = [\"rigid\", \"ambient\"], y = [\"rigid\", \"ambient\"] }"})
+            .need("box", &GasInput::box,
+                  {"m",
+                   {},
+                   "The box that holds the gas: lower and upper x, y, z.",
+                   "[[0, \"1200 mm\"], [0, \"1200 mm\"], [\"-200 mm\", \"1400 mm\"]]"})
+            .row("edges", &GasInput::edges,
+                 {"", {}, "What its faces do.", "{ x = [\"rigid\", \"ambient\"], y = [\"rigid\", \"ambient\"] }"})
             .need("particles", &GasInput::particles, {"", {}, "How many particles it starts with.", "200_000"})
-            .row("fill", &GasInput::fill, {"", {}, "The gas all around, at its usual state; vacuum if not given (`corpuscle list gases`).", "\"air\""})
-            .row("seed", &GasInput::seed, {"", from_to(0, 9e15), "Of the random numbers: another seed, another sample of the same gas.", "2"})
-            .row("mean_free_path", &GasInput::mean_free_path, {"", from_to(0.05, 100), "In local particle spacings; short compared with everything of interest.", "1"})
-            .row("collision", &GasInput::collision, {"", {}, "How particles collide: `displaced` draws pairs within cells and displaces them for co-volume and JWL pressure.", "\"displaced\""})
-            .row("relaxation", &GasInput::relaxation, {"", from_to(1, 1000), "Collisions between two exchanges of translational and internal energy.", "2"})
-            .row("cfl", &GasInput::cfl, {"", {0, 1, false, true}, "Time step, in the time the thermal speed takes through a local spacing.", "0.4"})
+            .row("fill", &GasInput::fill,
+                 {"", {}, "The gas all around, at its usual state; vacuum if not given (`corpuscle list gases`).", "\"air\""})
+            .row("seed", &GasInput::seed,
+                 {"", from_to(0, 9e15), "Of the random numbers: another seed, another sample of the same gas.", "2"})
+            .row("mean_free_path", &GasInput::mean_free_path,
+                 {"", from_to(0.05, 100), "In local particle spacings; short compared with everything of interest.", "1"})
+            .row("collision", &GasInput::collision,
+                 {"",
+                  {},
+                  "How particles collide: `displaced` draws pairs within cells and displaces them for co-volume and JWL pressure.",
+                  "\"displaced\""})
+            .row("relaxation", &GasInput::relaxation,
+                 {"", from_to(1, 1000), "Collisions between two exchanges of translational and internal energy.", "2"})
+            .row("cfl", &GasInput::cfl,
+                 {"", {0, 1, false, true}, "Time step, in the time the thermal speed takes through a local spacing.", "0.4"})
             .table();
     return table;
 }
@@ -97,16 +120,17 @@ const Table& table_of<GasInput>()
 template <>
 const Table& table_of<FillInput>()
 {
-    static const Table table = TableBuilder<FillInput>("fill", "A gas state in a shape: shock tubes, vessels, rooms. Later fills cut earlier ones.")
-                                   .need("gas", &FillInput::gas, {"", {}, "Which gas (`corpuscle list gases`), or its law in place.", "\"air\""})
-                                   .need("shape", &FillInput::shape, {"", {}, "Where.", "{ box = [[0, 0.5], [0, 0.1], [0, 0.1]] }"})
-                                   .need("density", &FillInput::density, {"kg/m3", above(0), "Density.", "\"1.2 kg/m3\""})
-                                   .row("pressure", &FillInput::pressure, {"Pa", above(0), "Pressure.", "\"101.325 kPa\""})
-                                   .row("temperature", &FillInput::temperature, {"K", above(0), "Temperature; the gas then needs a molar mass.", "\"20 degC\""})
-                                   .row("energy_density", &FillInput::energy_density, {"J/m3", above(0), "Internal energy per volume.", "\"0.253 MJ/m3\""})
-                                   .row("velocity", &FillInput::velocity, {"m/s", {}, "Bulk velocity.", "[100, 0, 0]"})
-                                   .one_of({"pressure", "temperature", "energy_density"})
-                                   .table();
+    static const Table table =
+        TableBuilder<FillInput>("fill", "A gas state in a shape: shock tubes, vessels, rooms. Later fills cut earlier ones.")
+            .need("gas", &FillInput::gas, {"", {}, "Which gas (`corpuscle list gases`), or its law in place.", "\"air\""})
+            .need("shape", &FillInput::shape, {"", {}, "Where.", "{ box = [[0, 0.5], [0, 0.1], [0, 0.1]] }"})
+            .need("density", &FillInput::density, {"kg/m3", above(0), "Density.", "\"1.2 kg/m3\""})
+            .row("pressure", &FillInput::pressure, {"Pa", above(0), "Pressure.", "\"101.325 kPa\""})
+            .row("temperature", &FillInput::temperature, {"K", above(0), "Temperature; the gas then needs a molar mass.", "\"20 degC\""})
+            .row("energy_density", &FillInput::energy_density, {"J/m3", above(0), "Internal energy per volume.", "\"0.253 MJ/m3\""})
+            .row("velocity", &FillInput::velocity, {"m/s", {}, "Bulk velocity.", "[100, 0, 0]"})
+            .one_of({"pressure", "temperature", "energy_density"})
+            .table();
     return table;
 }
 

@@ -14,60 +14,68 @@ const std::vector<std::pair<std::string, PlainElement>>& words_of<PlainElement>(
 template <>
 const std::vector<std::pair<std::string, Held>>& words_of<Held>()
 {
-    static const std::vector<std::pair<std::string, Held>> words{{"all", Held::all}, {"translation", Held::translation}, {"rotation", Held::rotation}, {"x", Held::x},
-                                                                 {"y", Held::y},     {"z", Held::z},                     {"symmetry", Held::symmetry}};
+    static const std::vector<std::pair<std::string, Held>> words{
+        {"all", Held::all}, {"translation", Held::translation}, {"rotation", Held::rotation}, {"x", Held::x}, {"y", Held::y},
+        {"z", Held::z},     {"symmetry", Held::symmetry}};
     return words;
 }
 
 template <>
 const std::vector<std::pair<std::string, BurstInput>>& words_of<BurstInput>()
 {
-    static const std::vector<std::pair<std::string, BurstInput>> words{{"spherical", BurstInput::spherical}, {"hemispherical", BurstInput::hemispherical}};
+    static const std::vector<std::pair<std::string, BurstInput>> words{{"spherical", BurstInput::spherical},
+                                                                       {"hemispherical", BurstInput::hemispherical}};
     return words;
 }
 
 template <>
 const Table& table_of<DiskInput>()
 {
-    static const Table table = TableBuilder<DiskInput>("disk", "A disk in z = 0 about the origin, facing +z. Node set: `rim`.")
-                                   .need("radius", &DiskInput::radius, {"m", above(0), "Its radius.", "\"500 mm\""})
-                                   .need("element_size", &DiskInput::element_size, {"m", above(0), "Edge of its quadrilaterals.", "\"20 mm\""})
-                                   .row("quarter", &DiskInput::quarter, {"", {}, "Only the quarter x >= 0, y >= 0.", "true"})
-                                   .table();
+    static const Table table =
+        TableBuilder<DiskInput>("disk", "A disk in z = 0 about the origin, facing +z. Node set: `rim`.")
+            .need("radius", &DiskInput::radius, {"m", above(0), "Its radius.", "\"500 mm\""})
+            .need("element_size", &DiskInput::element_size, {"m", above(0), "Edge of its quadrilaterals.", "\"20 mm\""})
+            .row("quarter", &DiskInput::quarter, {"", {}, "Only the quarter x >= 0, y >= 0.", "true"})
+            .table();
     return table;
 }
 
 template <>
 const Table& table_of<RingInput>()
 {
-    static const Table table = TableBuilder<RingInput>("ring", "A flat ring in z = 0 about the origin, facing +z; flush with a disk of its inner radius. Node sets: `inner`, `outer`.")
-                                   .need("inner_radius", &RingInput::inner_radius, {"m", above(0), "Its inner radius.", "\"500 mm\""})
-                                   .need("outer_radius", &RingInput::outer_radius, {"m", above(0), "Its outer radius.", "\"1700 mm\""})
-                                   .need("element_size", &RingInput::element_size, {"m", above(0), "Edge of its quadrilaterals.", "\"50 mm\""})
-                                   .row("quarter", &RingInput::quarter, {"", {}, "Only the quarter x >= 0, y >= 0.", "true"})
-                                   .table();
+    static const Table table =
+        TableBuilder<RingInput>(
+            "ring", "A flat ring in z = 0 about the origin, facing +z; flush with a disk of its inner radius. Node sets: `inner`, `outer`.")
+            .need("inner_radius", &RingInput::inner_radius, {"m", above(0), "Its inner radius.", "\"500 mm\""})
+            .need("outer_radius", &RingInput::outer_radius, {"m", above(0), "Its outer radius.", "\"1700 mm\""})
+            .need("element_size", &RingInput::element_size, {"m", above(0), "Edge of its quadrilaterals.", "\"50 mm\""})
+            .row("quarter", &RingInput::quarter, {"", {}, "Only the quarter x >= 0, y >= 0.", "true"})
+            .table();
     return table;
 }
 
 template <>
 const Table& table_of<RectangleInput>()
 {
-    static const Table table = TableBuilder<RectangleInput>("rectangle", "A parallelogram, facing edge_1 x edge_2. Node sets: `rim`, `start_1`, `end_1`, `start_2`, `end_2`.")
-                                   .row("origin", &RectangleInput::origin, {"m", {}, "A corner.", "[0, 0, 0]"})
-                                   .need("edge_1", &RectangleInput::edge_1, {"m", {}, "From the corner along one edge.", "[\"1 m\", 0, 0]"})
-                                   .need("edge_2", &RectangleInput::edge_2, {"m", {}, "From the corner along the other edge.", "[0, \"1 m\", 0]"})
-                                   .need("element_size", &RectangleInput::element_size, {"m", above(0), "Edge of its quadrilaterals.", "\"20 mm\""})
-                                   .table();
+    static const Table table =
+        TableBuilder<RectangleInput>("rectangle",
+                                     "A parallelogram, facing edge_1 x edge_2. Node sets: `rim`, `start_1`, `end_1`, `start_2`, `end_2`.")
+            .row("origin", &RectangleInput::origin, {"m", {}, "A corner.", "[0, 0, 0]"})
+            .need("edge_1", &RectangleInput::edge_1, {"m", {}, "From the corner along one edge.", "[\"1 m\", 0, 0]"})
+            .need("edge_2", &RectangleInput::edge_2, {"m", {}, "From the corner along the other edge.", "[0, \"1 m\", 0]"})
+            .need("element_size", &RectangleInput::element_size, {"m", above(0), "Edge of its quadrilaterals.", "\"20 mm\""})
+            .table();
     return table;
 }
 
 template <>
 const Table& table_of<BoxMeshInput>()
 {
-    static const Table table = TableBuilder<BoxMeshInput>("box", "A hollow closed box, facing outward. Element sets: `x_min`, `x_max`, ... `z_max`.")
-                                   .need("box", &BoxMeshInput::box, {"m", {}, "Its lower and upper x, y, z.", "[[0, 1], [0, 1], [0, 1]]"})
-                                   .need("element_size", &BoxMeshInput::element_size, {"m", above(0), "Edge of its quadrilaterals.", "\"20 mm\""})
-                                   .table();
+    static const Table table =
+        TableBuilder<BoxMeshInput>("box", "A hollow closed box, facing outward. Element sets: `x_min`, `x_max`, ... `z_max`.")
+            .need("box", &BoxMeshInput::box, {"m", {}, "Its lower and upper x, y, z.", "[[0, 1], [0, 1], [0, 1]]"})
+            .need("element_size", &BoxMeshInput::element_size, {"m", above(0), "Edge of its quadrilaterals.", "\"20 mm\""})
+            .table();
     return table;
 }
 
@@ -77,12 +85,19 @@ const Table& table_of<MeshInput>()
     static const Table table =
         TableBuilder<MeshInput>("mesh", "The mesh of a part: made from a few numbers, or read from a file.")
             .row("disk", &MeshInput::disk, {"", {}, "A disk.", "{ radius = \"500 mm\", element_size = \"20 mm\", quarter = true }"})
-            .row("ring", &MeshInput::ring, {"", {}, "A flat ring.", "{ inner_radius = \"500 mm\", outer_radius = \"1700 mm\", element_size = \"50 mm\", quarter = true }"})
-            .row("rectangle", &MeshInput::rectangle, {"", {}, "A parallelogram.", "{ edge_1 = [1, 0, 0], edge_2 = [0, 1, 0], element_size = \"20 mm\" }"})
+            .row("ring", &MeshInput::ring,
+                 {"",
+                  {},
+                  "A flat ring.",
+                  "{ inner_radius = \"500 mm\", outer_radius = \"1700 mm\", element_size = \"50 mm\", quarter = true }"})
+            .row("rectangle", &MeshInput::rectangle,
+                 {"", {}, "A parallelogram.", "{ edge_1 = [1, 0, 0], edge_2 = [0, 1, 0], element_size = \"20 mm\" }"})
             .row("box", &MeshInput::box, {"", {}, "A hollow closed box.", "{ box = [[0, 1], [0, 1], [0, 1]], element_size = \"20 mm\" }"})
-            .row("file", &MeshInput::file, {"", {}, "A mesh file, beside the case or with its full path: .msh (gmsh 2.2, 4.1) or .stl.", "\"hull.msh\""})
+            .row("file", &MeshInput::file,
+                 {"", {}, "A mesh file, beside the case or with its full path: .msh (gmsh 2.2, 4.1) or .stl.", "\"hull.msh\""})
             .row("unit", &MeshInput::unit, {"", {}, "Unit of the coordinates in the file.", "\"mm\""})
-            .row("group", &MeshInput::group, {"", {}, "The physical group of the file that is this part; the whole file if not given.", "\"plate\""})
+            .row("group", &MeshInput::group,
+                 {"", {}, "The physical group of the file that is this part; the whole file if not given.", "\"plate\""})
             .row("move", &MeshInput::move, {"m", {}, "Added to every node.", "[0, 0, \"100 mm\"]"})
             .row("closed", &MeshInput::closed, {"", {}, "Refuse the mesh if it has a hole.", "true"})
             .one_of({"disk", "ring", "rectangle", "box", "file"})
@@ -93,22 +108,24 @@ const Table& table_of<MeshInput>()
 template <>
 const Table& table_of<ShellSection>()
 {
-    static const Table table = TableBuilder<ShellSection>("shell", "Belytschko-Lin-Tsay shells.")
-                                   .need("thickness", &ShellSection::thickness, {"m", above(0), "Thickness; the mesh is its middle.", "\"20 mm\""})
-                                   .row("points", &ShellSection::points, {"", from_to(3, 10), "Integration points through the thickness.", "5"})
-                                   .table();
+    static const Table table =
+        TableBuilder<ShellSection>("shell", "Belytschko-Lin-Tsay shells.")
+            .need("thickness", &ShellSection::thickness, {"m", above(0), "Thickness; the mesh is its middle.", "\"20 mm\""})
+            .row("points", &ShellSection::points, {"", from_to(3, 10), "Integration points through the thickness.", "5"})
+            .table();
     return table;
 }
 
 template <>
 const Table& table_of<ElementInput>()
 {
-    static const Table table = TableBuilder<ElementInput>("element", "What the elements of a part are.")
-                                   .row("plain", &ElementInput::plain, {"", {}, "`rigid`: it does not move, and needs no material.", "\"rigid\""})
-                                   .row("shell", &ElementInput::shell, {"", {}, "Shells.", "{ thickness = \"20 mm\", points = 5 }"})
-                                   .one_of({"plain", "shell"})
-                                   .shorthand("plain")
-                                   .table();
+    static const Table table =
+        TableBuilder<ElementInput>("element", "What the elements of a part are.")
+            .row("plain", &ElementInput::plain, {"", {}, "`rigid`: it does not move, and needs no material.", "\"rigid\""})
+            .row("shell", &ElementInput::shell, {"", {}, "Shells.", "{ thickness = \"20 mm\", points = 5 }"})
+            .one_of({"plain", "shell"})
+            .shorthand("plain")
+            .table();
     return table;
 }
 
@@ -117,8 +134,10 @@ const Table& table_of<FixInput>()
 {
     static const Table table =
         TableBuilder<FixInput>("fix", "A support.")
-            .need("where", &FixInput::where, {"", {}, "Nodes: `all`, a node set of the mesh (`rim`), or a plane (`x=0`, `z=-20 mm`).", "\"rim\""})
-            .need("dof", &FixInput::dof, {"", {}, "What it holds; `symmetry` holds what a plane of symmetry does (only with a plane).", "\"all\""})
+            .need("where", &FixInput::where,
+                  {"", {}, "Nodes: `all`, a node set of the mesh (`rim`), or a plane (`x=0`, `z=-20 mm`).", "\"rim\""})
+            .need("dof", &FixInput::dof,
+                  {"", {}, "What it holds; `symmetry` holds what a plane of symmetry does (only with a plane).", "\"all\""})
             .table();
     return table;
 }
@@ -126,14 +145,17 @@ const Table& table_of<FixInput>()
 template <>
 const Table& table_of<PartInput>()
 {
-    static const Table table = TableBuilder<PartInput>("part", "A part of the structure.")
-                                   .need("name", &PartInput::name, {"", {}, "Its name: for loads, gauges and results.", "\"plate\""})
-                                   .need("mesh", &PartInput::mesh, {"", {}, "Its mesh.", "{ disk = { radius = \"500 mm\", element_size = \"20 mm\", quarter = true } }"})
-                                   .need("element", &PartInput::element, {"", {}, "Its elements.", "{ shell = { thickness = \"20 mm\", points = 5 } }"})
-                                   .row("material", &PartInput::material, {"", {}, "What it is made of (`corpuscle list materials`), unless rigid.", "\"rha_steel\""})
-                                   .row("fix", &PartInput::fix, {"", {}, "Its supports.", "[{ where = \"rim\", dof = \"all\" }]"})
-                                   .row("velocity", &PartInput::velocity, {"m/s", {}, "Velocity at the start.", "[0, 0, 10]"})
-                                   .table();
+    static const Table table =
+        TableBuilder<PartInput>("part", "A part of the structure.")
+            .need("name", &PartInput::name, {"", {}, "Its name: for loads, gauges and results.", "\"plate\""})
+            .need("mesh", &PartInput::mesh,
+                  {"", {}, "Its mesh.", "{ disk = { radius = \"500 mm\", element_size = \"20 mm\", quarter = true } }"})
+            .need("element", &PartInput::element, {"", {}, "Its elements.", "{ shell = { thickness = \"20 mm\", points = 5 } }"})
+            .row("material", &PartInput::material,
+                 {"", {}, "What it is made of (`corpuscle list materials`), unless rigid.", "\"rha_steel\""})
+            .row("fix", &PartInput::fix, {"", {}, "Its supports.", "[{ where = \"rim\", dof = \"all\" }]"})
+            .row("velocity", &PartInput::velocity, {"m/s", {}, "Velocity at the start.", "[0, 0, 10]"})
+            .table();
     return table;
 }
 
@@ -152,11 +174,13 @@ const Table& table_of<ConwepInput>()
 template <>
 const Table& table_of<LoadInput>()
 {
-    static const Table table = TableBuilder<LoadInput>("load", "A load on a part that is not gas.")
-                                   .row("conwep", &LoadInput::conwep, {"", {}, "Empirical blast load.", "{ mass = \"15 kg\", center = [0, 0, \"700 mm\"], burst = \"spherical\" }"})
-                                   .need("part", &LoadInput::part, {"", {}, "The part it acts on.", "\"plate\""})
-                                   .one_of({"conwep"})
-                                   .table();
+    static const Table table =
+        TableBuilder<LoadInput>("load", "A load on a part that is not gas.")
+            .row("conwep", &LoadInput::conwep,
+                 {"", {}, "Empirical blast load.", "{ mass = \"15 kg\", center = [0, 0, \"700 mm\"], burst = \"spherical\" }"})
+            .need("part", &LoadInput::part, {"", {}, "The part it acts on.", "\"plate\""})
+            .one_of({"conwep"})
+            .table();
     return table;
 }
 

@@ -43,10 +43,10 @@ struct MeshInput {
     std::optional<RectangleInput> rectangle;
     std::optional<BoxMeshInput> box;
     std::optional<std::string> file;
-    std::string unit = "m";            ///< of the file's coordinates
-    std::string group;                 ///< element set of the file; all if empty
-    Vector3d move;                     ///< [m]
-    bool closed = false;               ///< it must have no hole
+    std::string unit = "m";  ///< of the file's coordinates
+    std::string group;       ///< element set of the file; all if empty
+    Vector3d move;           ///< [m]
+    bool closed = false;     ///< it must have no hole
     Places places;
 };
 

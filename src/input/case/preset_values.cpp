@@ -7,22 +7,26 @@ namespace corpuscle {
 template <>
 const Table& table_of<JwlValues>()
 {
-    static const Table table = TableBuilder<JwlValues>("jwl", "The law of Jones, Wilkins and Lee: p = A (1 - omega/(R1 V)) exp(-R1 V) + B (1 - omega/(R2 V)) exp(-R2 V) + omega E/V.")
-                                   .need("A", &JwlValues::a, {"Pa", at_least(0), "First pressure constant.", "\"371.2 GPa\""})
-                                   .need("B", &JwlValues::b, {"Pa", any_number(), "Second pressure constant.", "\"3.231 GPa\""})
-                                   .need("R1", &JwlValues::r1, {"", above(0), "First exponent.", "4.15"})
-                                   .need("R2", &JwlValues::r2, {"", above(0), "Second exponent.", "0.95"})
-                                   .need("omega", &JwlValues::omega, {"", {0, 2.0 / 3.0, false, true}, "Grueneisen constant: the heat capacity ratio of the particles is 1 + omega.", "0.30"})
-                                   .table();
+    static const Table table =
+        TableBuilder<JwlValues>(
+            "jwl", "The law of Jones, Wilkins and Lee: p = A (1 - omega/(R1 V)) exp(-R1 V) + B (1 - omega/(R2 V)) exp(-R2 V) + omega E/V.")
+            .need("A", &JwlValues::a, {"Pa", at_least(0), "First pressure constant.", "\"371.2 GPa\""})
+            .need("B", &JwlValues::b, {"Pa", any_number(), "Second pressure constant.", "\"3.231 GPa\""})
+            .need("R1", &JwlValues::r1, {"", above(0), "First exponent.", "4.15"})
+            .need("R2", &JwlValues::r2, {"", above(0), "Second exponent.", "0.95"})
+            .need("omega", &JwlValues::omega,
+                  {"", {0, 2.0 / 3.0, false, true}, "Grueneisen constant: the heat capacity ratio of the particles is 1 + omega.", "0.30"})
+            .table();
     return table;
 }
 
 template <>
 const Table& table_of<IdealValues>()
 {
-    static const Table table = TableBuilder<IdealValues>("ideal", "Ideal gas: p = (gamma - 1) E/V.")
-                                   .need("gamma", &IdealValues::gamma, {"", {1, 5.0 / 3.0 + 1e-3, false, true}, "Heat capacity ratio.", "1.4"})
-                                   .table();
+    static const Table table =
+        TableBuilder<IdealValues>("ideal", "Ideal gas: p = (gamma - 1) E/V.")
+            .need("gamma", &IdealValues::gamma, {"", {1, 5.0 / 3.0 + 1e-3, false, true}, "Heat capacity ratio.", "1.4"})
+            .table();
     return table;
 }
 
@@ -32,8 +36,11 @@ const Table& table_of<NobleAbelValues>()
     static const Table table =
         TableBuilder<NobleAbelValues>("noble_abel", "Noble-Abel gas: p (V - b) = (gamma - 1) E.")
             .need("gamma", &NobleAbelValues::gamma, {"", {1, 5.0 / 3.0 + 1e-3, false, true}, "Heat capacity ratio.", "1.3"})
-            .need("co_volume", &NobleAbelValues::co_volume, {"", {0, 1, true, false}, "Co-volume b as a fraction of the volume at the reference density.", "0.3"})
-            .row("reference_density", &NobleAbelValues::reference_density, {"kg/m3", above(0), "Density at which the co-volume is that fraction; the unreacted density if not given.", "\"1630 kg/m3\""})
+            .need("co_volume", &NobleAbelValues::co_volume,
+                  {"", {0, 1, true, false}, "Co-volume b as a fraction of the volume at the reference density.", "0.3"})
+            .row("reference_density", &NobleAbelValues::reference_density,
+                 {"kg/m3", above(0), "Density at which the co-volume is that fraction; the unreacted density if not given.",
+                  "\"1630 kg/m3\""})
             .table();
     return table;
 }
@@ -41,12 +48,13 @@ const Table& table_of<NobleAbelValues>()
 template <>
 const Table& table_of<LawValues>()
 {
-    static const Table table = TableBuilder<LawValues>("law", "The equation of state of a gas.")
-                                   .row("jwl", &LawValues::jwl, {"", {}, "Jones-Wilkins-Lee, for products of explosives.", ""})
-                                   .row("ideal", &LawValues::ideal, {"", {}, "Ideal gas.", "{ gamma = 1.4 }"})
-                                   .row("noble_abel", &LawValues::noble_abel, {"", {}, "Gas with a co-volume.", "{ gamma = 1.3, co_volume = 0.3 }"})
-                                   .one_of({"jwl", "ideal", "noble_abel"})
-                                   .table();
+    static const Table table =
+        TableBuilder<LawValues>("law", "The equation of state of a gas.")
+            .row("jwl", &LawValues::jwl, {"", {}, "Jones-Wilkins-Lee, for products of explosives.", ""})
+            .row("ideal", &LawValues::ideal, {"", {}, "Ideal gas.", "{ gamma = 1.4 }"})
+            .row("noble_abel", &LawValues::noble_abel, {"", {}, "Gas with a co-volume.", "{ gamma = 1.3, co_volume = 0.3 }"})
+            .one_of({"jwl", "ideal", "noble_abel"})
+            .table();
     return table;
 }
 
@@ -57,11 +65,15 @@ const Table& table_of<ExplosiveValues>()
         TableBuilder<ExplosiveValues>("explosive", "An explosive and the gas its products are.")
             .row("name", &ExplosiveValues::name, {"", {}, "As a case names it.", "\"tnt\""})
             .row("title", &ExplosiveValues::title, {"", {}, "For people.", "\"TNT, cast\""})
-            .need("law", &ExplosiveValues::law, {"", {}, "Equation of state of the products.", "{ noble_abel = { gamma = 1.3, co_volume = 0.3 } }"})
+            .need("law", &ExplosiveValues::law,
+                  {"", {}, "Equation of state of the products.", "{ noble_abel = { gamma = 1.3, co_volume = 0.3 } }"})
             .need("density", &ExplosiveValues::density, {"kg/m3", above(0), "Unreacted density.", "\"1630 kg/m3\""})
-            .need("energy_density", &ExplosiveValues::energy_density, {"J/m3", above(0), "Energy released per unreacted volume.", "\"7.0 GJ/m3\""})
-            .need("detonation_velocity", &ExplosiveValues::detonation_velocity, {"m/s", above(0), "Speed of the detonation front.", "\"6930 m/s\""})
-            .row("detonation_pressure", &ExplosiveValues::detonation_pressure, {"Pa", above(0), "Chapman-Jouguet pressure, for the record; nothing is computed from it.", "\"21 GPa\""})
+            .need("energy_density", &ExplosiveValues::energy_density,
+                  {"J/m3", above(0), "Energy released per unreacted volume.", "\"7.0 GJ/m3\""})
+            .need("detonation_velocity", &ExplosiveValues::detonation_velocity,
+                  {"m/s", above(0), "Speed of the detonation front.", "\"6930 m/s\""})
+            .row("detonation_pressure", &ExplosiveValues::detonation_pressure,
+                 {"Pa", above(0), "Chapman-Jouguet pressure, for the record; nothing is computed from it.", "\"21 GPa\""})
             .row("source", &ExplosiveValues::source, {"", {}, "Where the values are from.", ""})
             .row("status", &ExplosiveValues::status, {"", {}, "How sure the values are.", ""})
             .row("note", &ExplosiveValues::note, {"", {}, "A remark.", ""})
@@ -78,12 +90,15 @@ const Table& table_of<GasValues>()
             .row("title", &GasValues::title, {"", {}, "For people.", "\"Dry air\""})
             .row("law", &GasValues::law, {"", {}, "Equation of state.", "{ ideal = { gamma = 1.4 } }"})
             .row("gamma", &GasValues::gamma, {"", {1, 5.0 / 3.0 + 1e-3, false, true}, "Heat capacity ratio, in place of a law.", "1.4"})
-            .row("co_volume", &GasValues::co_volume, {"", {0, 1, true, false}, "Co-volume as a fraction of the volume at the reference density, beside gamma.", "0.3"})
-            .row("reference_density", &GasValues::reference_density, {"kg/m3", above(0), "Density at which the co-volume is that fraction.", "\"1630 kg/m3\""})
+            .row("co_volume", &GasValues::co_volume,
+                 {"", {0, 1, true, false}, "Co-volume as a fraction of the volume at the reference density, beside gamma.", "0.3"})
+            .row("reference_density", &GasValues::reference_density,
+                 {"kg/m3", above(0), "Density at which the co-volume is that fraction.", "\"1630 kg/m3\""})
             .row("density", &GasValues::density, {"kg/m3", above(0), "Density of its usual state.", "\"1.2 kg/m3\""})
             .row("temperature", &GasValues::temperature, {"K", above(0), "Temperature of its usual state.", "\"20 degC\""})
             .row("pressure", &GasValues::pressure, {"Pa", above(0), "Pressure of its usual state.", "\"101.325 kPa\""})
-            .row("molar_mass", &GasValues::molar_mass, {"kg/mol", above(0), "Molar mass: turns temperatures into pressures.", "\"28.96 g/mol\""})
+            .row("molar_mass", &GasValues::molar_mass,
+                 {"kg/mol", above(0), "Molar mass: turns temperatures into pressures.", "\"28.96 g/mol\""})
             .row("source", &GasValues::source, {"", {}, "Where the values are from.", ""})
             .row("status", &GasValues::status, {"", {}, "How sure the values are.", ""})
             .row("note", &GasValues::note, {"", {}, "A remark.", ""})
@@ -103,10 +118,13 @@ template <>
 const Table& table_of<BilinearValues>()
 {
     static const Table table =
-        TableBuilder<BilinearValues>("bilinear", "Von Mises plasticity, sigma_y = (yield_stress + hardening_modulus * eps_p) * (1 + (rate/C)^(1/p)).")
+        TableBuilder<BilinearValues>("bilinear",
+                                     "Von Mises plasticity, sigma_y = (yield_stress + hardening_modulus * eps_p) * (1 + (rate/C)^(1/p)).")
             .need("yield_stress", &BilinearValues::yield_stress, {"Pa", above(0), "Yield stress at rest.", "\"1200 MPa\""})
-            .row("hardening_modulus", &BilinearValues::hardening_modulus, {"Pa", at_least(0), "Plastic hardening modulus: slope of yield stress against plastic strain.", "\"6500 MPa\""})
-            .row("rate_c", &BilinearValues::rate_c, {"1/s", at_least(0), "C of Cowper and Symonds; 0: no effect of the strain rate.", "\"300 1/s\""})
+            .row("hardening_modulus", &BilinearValues::hardening_modulus,
+                 {"Pa", at_least(0), "Plastic hardening modulus: slope of yield stress against plastic strain.", "\"6500 MPa\""})
+            .row("rate_c", &BilinearValues::rate_c,
+                 {"1/s", at_least(0), "C of Cowper and Symonds; 0: no effect of the strain rate.", "\"300 1/s\""})
             .row("rate_p", &BilinearValues::rate_p, {"", at_least(0), "p of Cowper and Symonds.", "5"})
             .row("kinematic", &BilinearValues::kinematic, {"", from_to(0, 1), "Share of the hardening that is kinematic.", "0"})
             .table();
@@ -116,28 +134,30 @@ const Table& table_of<BilinearValues>()
 template <>
 const Table& table_of<StrengthValues>()
 {
-    static const Table table = TableBuilder<StrengthValues>("strength", "How a material resists.")
-                                   .row("elastic", &StrengthValues::elastic, {"", {}, "Linear elastic.", "{}"})
-                                   .row("bilinear", &StrengthValues::bilinear, {"", {}, "Von Mises plasticity with linear hardening and rate effect.", ""})
-                                   .one_of({"elastic", "bilinear"})
-                                   .table();
+    static const Table table =
+        TableBuilder<StrengthValues>("strength", "How a material resists.")
+            .row("elastic", &StrengthValues::elastic, {"", {}, "Linear elastic.", "{}"})
+            .row("bilinear", &StrengthValues::bilinear, {"", {}, "Von Mises plasticity with linear hardening and rate effect.", ""})
+            .one_of({"elastic", "bilinear"})
+            .table();
     return table;
 }
 
 template <>
 const Table& table_of<MaterialValues>()
 {
-    static const Table table = TableBuilder<MaterialValues>("material", "A material of the structure.")
-                                   .row("name", &MaterialValues::name, {"", {}, "As a case names it.", "\"rha_steel\""})
-                                   .row("title", &MaterialValues::title, {"", {}, "For people.", ""})
-                                   .need("density", &MaterialValues::density, {"kg/m3", above(0), "Density.", "\"7838 kg/m3\""})
-                                   .need("young_modulus", &MaterialValues::young_modulus, {"Pa", above(0), "Young's modulus.", "\"212 GPa\""})
-                                   .need("poisson_ratio", &MaterialValues::poisson_ratio, {"", {0, 0.5, true, false}, "Poisson's ratio.", "0.28"})
-                                   .need("strength", &MaterialValues::strength, {"", {}, "How it resists beyond elasticity.", "{ elastic = {} }"})
-                                   .row("source", &MaterialValues::source, {"", {}, "Where the values are from.", ""})
-                                   .row("status", &MaterialValues::status, {"", {}, "How sure the values are.", ""})
-                                   .row("note", &MaterialValues::note, {"", {}, "A remark.", ""})
-                                   .table();
+    static const Table table =
+        TableBuilder<MaterialValues>("material", "A material of the structure.")
+            .row("name", &MaterialValues::name, {"", {}, "As a case names it.", "\"rha_steel\""})
+            .row("title", &MaterialValues::title, {"", {}, "For people.", ""})
+            .need("density", &MaterialValues::density, {"kg/m3", above(0), "Density.", "\"7838 kg/m3\""})
+            .need("young_modulus", &MaterialValues::young_modulus, {"Pa", above(0), "Young's modulus.", "\"212 GPa\""})
+            .need("poisson_ratio", &MaterialValues::poisson_ratio, {"", {0, 0.5, true, false}, "Poisson's ratio.", "0.28"})
+            .need("strength", &MaterialValues::strength, {"", {}, "How it resists beyond elasticity.", "{ elastic = {} }"})
+            .row("source", &MaterialValues::source, {"", {}, "Where the values are from.", ""})
+            .row("status", &MaterialValues::status, {"", {}, "How sure the values are.", ""})
+            .row("note", &MaterialValues::note, {"", {}, "A remark.", ""})
+            .table();
     return table;
 }
 

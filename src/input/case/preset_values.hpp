@@ -36,9 +36,9 @@ struct LawValues {
 struct ExplosiveValues {
     std::string name, title;
     LawValues law;
-    double density = 0;              ///< unreacted [kg/m3]
-    double energy_density = 0;       ///< released, per unreacted volume [J/m3]
-    double detonation_velocity = 0;  ///< [m/s]
+    double density = 0;                         ///< unreacted [kg/m3]
+    double energy_density = 0;                  ///< released, per unreacted volume [J/m3]
+    double detonation_velocity = 0;             ///< [m/s]
     std::optional<double> detonation_pressure;  ///< Chapman-Jouguet [Pa], for the record
     std::string source, status, note;
     Places places;
@@ -48,11 +48,11 @@ struct GasValues {
     std::string name, title;
     std::optional<LawValues> law;
     std::optional<double> gamma, co_volume;
-    std::optional<double> reference_density;           ///< [kg/m3]
-    std::optional<double> density;                     ///< [kg/m3]
-    std::optional<double> temperature;                 ///< [K]
-    std::optional<double> pressure;                    ///< [Pa]
-    std::optional<double> molar_mass;                  ///< [kg/mol]
+    std::optional<double> reference_density;  ///< [kg/m3]
+    std::optional<double> density;            ///< [kg/m3]
+    std::optional<double> temperature;        ///< [K]
+    std::optional<double> pressure;           ///< [Pa]
+    std::optional<double> molar_mass;         ///< [kg/mol]
     std::string source, status, note;
     Places places;
 };
@@ -64,7 +64,7 @@ struct BilinearValues {
     double hardening_modulus = 0;  ///< plastic [Pa]
     double rate_c = 0;             ///< Cowper-Symonds [1/s]; 0: no rate effect
     double rate_p = 0;
-    double kinematic = 0;          ///< share of kinematic hardening
+    double kinematic = 0;  ///< share of kinematic hardening
 };
 
 struct StrengthValues {

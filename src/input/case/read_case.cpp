@@ -37,11 +37,14 @@ void complete_path(ShapeInput& shape, const CaseDescription& description)
 
 CaseDescription read_case(const std::filesystem::path& file, const std::vector<std::string>& settings)
 {
-    if (std::filesystem::is_directory(file)) throw InputError(fmt::format("'{}' is a folder", file.string()), "expected a case file (.toml)");
+    if (std::filesystem::is_directory(file))
+        throw InputError(fmt::format("'{}' is a folder", file.string()), "expected a case file (.toml)");
     std::ifstream stream(file, std::ios::binary);
     std::stringstream text;
     if (stream && stream.peek() != std::ifstream::traits_type::eof()) text << stream.rdbuf();
-    if (stream.bad() || !std::filesystem::exists(file) || !stream.is_open()) throw InputError(fmt::format("the case '{}' cannot be read", file.string()), "check its name; `corpuscle new plate` writes one to start from");
+    if (stream.bad() || !std::filesystem::exists(file) || !stream.is_open())
+        throw InputError(fmt::format("the case '{}' cannot be read", file.string()),
+                         "check its name; `corpuscle new plate` writes one to start from");
     CaseDescription description = read_case_text(text.str(), file.string(), settings);
     description.folder = std::filesystem::absolute(file).parent_path();
     description.file = file;
@@ -50,7 +53,9 @@ CaseDescription read_case(const std::filesystem::path& file, const std::vector<s
 
 CaseDescription read_case_text(const std::string& text, const std::string& file, const std::vector<std::string>& settings)
 {
-    if (looks_like_deck(text)) throw InputError("this is an LS-DYNA keyword deck, which this version does not read", "expected a case in TOML; `corpuscle new plate` writes one to start from", {file, 1, 1});
+    if (looks_like_deck(text))
+        throw InputError("this is an LS-DYNA keyword deck, which this version does not read",
+                         "expected a case in TOML; `corpuscle new plate` writes one to start from", {file, 1, 1});
     Value document = parse_toml(text, file);
     for (const std::string& setting : settings) apply_setting(document, setting);
     CaseDescription description;

@@ -13,7 +13,8 @@ namespace corpuscle {
 [[nodiscard]] CaseDescription read_case(const std::filesystem::path& file, const std::vector<std::string>& settings = {});
 
 /// As read_case, from text; `file` names it in messages.
-[[nodiscard]] CaseDescription read_case_text(const std::string& text, const std::string& file, const std::vector<std::string>& settings = {});
+[[nodiscard]] CaseDescription read_case_text(const std::string& text, const std::string& file,
+                                             const std::vector<std::string>& settings = {});
 
 /// The case as a TOML document with every default filled in, units and full paths written out: reading it, from
 /// any folder, gives the same case.

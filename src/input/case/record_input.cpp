@@ -7,15 +7,17 @@ namespace corpuscle {
 template <>
 const std::vector<std::pair<std::string, ProbeQuantity>>& words_of<ProbeQuantity>()
 {
-    static const std::vector<std::pair<std::string, ProbeQuantity>> words{{"displacement", ProbeQuantity::displacement}, {"velocity", ProbeQuantity::velocity}};
+    static const std::vector<std::pair<std::string, ProbeQuantity>> words{{"displacement", ProbeQuantity::displacement},
+                                                                          {"velocity", ProbeQuantity::velocity}};
     return words;
 }
 
 template <>
 const std::vector<std::pair<std::string, FaceInput>>& words_of<FaceInput>()
 {
-    static const std::vector<std::pair<std::string, FaceInput>> words{{"x-", FaceInput::x_lower}, {"x+", FaceInput::x_upper}, {"y-", FaceInput::y_lower},
-                                                                      {"y+", FaceInput::y_upper}, {"z-", FaceInput::z_lower}, {"z+", FaceInput::z_upper}};
+    static const std::vector<std::pair<std::string, FaceInput>> words{{"x-", FaceInput::x_lower}, {"x+", FaceInput::x_upper},
+                                                                      {"y-", FaceInput::y_lower}, {"y+", FaceInput::y_upper},
+                                                                      {"z-", FaceInput::z_lower}, {"z+", FaceInput::z_upper}};
     return words;
 }
 
@@ -29,24 +31,28 @@ const std::vector<std::pair<std::string, Component>>& words_of<Component>()
 template <>
 const Table& table_of<ReferenceInput>()
 {
-    static const Table table = TableBuilder<ReferenceInput>("reference", "A length the report draws as a dashed line beside the displacement: an experiment, another code.")
-                                   .need("value", &ReferenceInput::value, {"m", {}, "The value, with its sign.", "\"-47 mm\""})
-                                   .row("component", &ReferenceInput::component, {"", {}, "Of the displacement.", "\"z\""})
-                                   .need("label", &ReferenceInput::label, {"", {}, "Where it is from.", "\"experiment\""})
-                                   .table();
+    static const Table table =
+        TableBuilder<ReferenceInput>("reference",
+                                     "A length the report draws as a dashed line beside the displacement: an experiment, another code.")
+            .need("value", &ReferenceInput::value, {"m", {}, "The value, with its sign.", "\"-47 mm\""})
+            .row("component", &ReferenceInput::component, {"", {}, "Of the displacement.", "\"z\""})
+            .need("label", &ReferenceInput::label, {"", {}, "Where it is from.", "\"experiment\""})
+            .table();
     return table;
 }
 
 template <>
 const Table& table_of<ProbeInput>()
 {
-    static const Table table = TableBuilder<ProbeInput>("probe", "A node whose motion is written to history.csv.")
-                                   .need("name", &ProbeInput::name, {"", {}, "Its name in the history.", "\"center\""})
-                                   .need("node_at", &ProbeInput::node_at, {"m", {}, "The node nearest to this point is taken.", "[0, 0, 0]"})
-                                   .need("quantities", &ProbeInput::quantities, {"", {}, "What is written.", "[\"displacement\", \"velocity\"]"})
-                                   .need("every", &ProbeInput::every, {"s", above(0), "Interval of the history.", "\"10 us\""})
-                                   .row("reference", &ProbeInput::reference, {"", {}, "A value to compare with.", "{ value = \"-47 mm\", label = \"experiment\" }"})
-                                   .table();
+    static const Table table =
+        TableBuilder<ProbeInput>("probe", "A node whose motion is written to history.csv.")
+            .need("name", &ProbeInput::name, {"", {}, "Its name in the history.", "\"center\""})
+            .need("node_at", &ProbeInput::node_at, {"m", {}, "The node nearest to this point is taken.", "[0, 0, 0]"})
+            .need("quantities", &ProbeInput::quantities, {"", {}, "What is written.", "[\"displacement\", \"velocity\"]"})
+            .need("every", &ProbeInput::every, {"s", above(0), "Interval of the history.", "\"10 us\""})
+            .row("reference", &ProbeInput::reference,
+                 {"", {}, "A value to compare with.", "{ value = \"-47 mm\", label = \"experiment\" }"})
+            .table();
     return table;
 }
 
@@ -63,15 +69,16 @@ const Table& table_of<GaugeSphereInput>()
 template <>
 const Table& table_of<GaugeInput>()
 {
-    static const Table table = TableBuilder<GaugeInput>("gauge", "Where gas or load is measured: pressure and impulse, written to history.csv.")
-                                   .need("name", &GaugeInput::name, {"", {}, "Its name in the history.", "\"wall\""})
-                                   .row("facets", &GaugeInput::facets, {"", {}, "All facets of a part.", "\"plate\""})
-                                   .row("sphere", &GaugeInput::sphere, {"", {}, "Gas in a ball.", "{ center = [0, 0, \"300 mm\"], radius = \"30 mm\" }"})
-                                   .row("box", &GaugeInput::box, {"m", {}, "Gas in a box.", "[[0, 0.1], [0, 0.1], [0, 0.1]]"})
-                                   .row("face", &GaugeInput::face, {"", {}, "A rigid face of the gas box.", "\"z-\""})
-                                   .need("every", &GaugeInput::every, {"s", above(0), "Interval of the history; pressures are means over it.", "\"5 us\""})
-                                   .one_of({"facets", "sphere", "box", "face"})
-                                   .table();
+    static const Table table =
+        TableBuilder<GaugeInput>("gauge", "Where gas or load is measured: pressure and impulse, written to history.csv.")
+            .need("name", &GaugeInput::name, {"", {}, "Its name in the history.", "\"wall\""})
+            .row("facets", &GaugeInput::facets, {"", {}, "All facets of a part.", "\"plate\""})
+            .row("sphere", &GaugeInput::sphere, {"", {}, "Gas in a ball.", "{ center = [0, 0, \"300 mm\"], radius = \"30 mm\" }"})
+            .row("box", &GaugeInput::box, {"m", {}, "Gas in a box.", "[[0, 0.1], [0, 0.1], [0, 0.1]]"})
+            .row("face", &GaugeInput::face, {"", {}, "A rigid face of the gas box.", "\"z-\""})
+            .need("every", &GaugeInput::every, {"s", above(0), "Interval of the history; pressures are means over it.", "\"5 us\""})
+            .one_of({"facets", "sphere", "box", "face"})
+            .table();
     return table;
 }
 
@@ -80,11 +87,15 @@ const Table& table_of<OutputInput>()
 {
     static const Table table =
         TableBuilder<OutputInput>("output", "The files a run leaves.")
-            .row("fields_every", &OutputInput::fields_every, {"s", above(0), "Interval of the files for ParaView; a thirtieth of the end time if not given.", "\"100 us\""})
-            .row("energies_every", &OutputInput::energies_every, {"s", above(0), "Interval of the energies in history.csv; a 300th of the end time if not given.", "\"10 us\""})
+            .row("fields_every", &OutputInput::fields_every,
+                 {"s", above(0), "Interval of the files for ParaView; a thirtieth of the end time if not given.", "\"100 us\""})
+            .row("energies_every", &OutputInput::energies_every,
+                 {"s", above(0), "Interval of the energies in history.csv; a 300th of the end time if not given.", "\"10 us\""})
             .row("restart_every", &OutputInput::restart_every, {"s", above(0), "Wall-clock time between two saved states.", "\"10 min\""})
-            .row("particles_shown", &OutputInput::particles_shown, {"", from_to(0, 4e9), "Most gas particles in a file for ParaView (every n-th is written); 0: none.", "200_000"})
-            .row("averages", &OutputInput::averages, {"", from_to(0, 1000), "Cells along the longest edge of the grid of averages of the gas; 0: no averages.", "48"})
+            .row("particles_shown", &OutputInput::particles_shown,
+                 {"", from_to(0, 4e9), "Most gas particles in a file for ParaView (every n-th is written); 0: none.", "200_000"})
+            .row("averages", &OutputInput::averages,
+                 {"", from_to(0, 1000), "Cells along the longest edge of the grid of averages of the gas; 0: no averages.", "48"})
             .row("compress", &OutputInput::compress, {"", {}, "Compress the files for ParaView: smaller, slower to write.", "true"})
             .table();
     return table;

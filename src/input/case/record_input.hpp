@@ -52,7 +52,7 @@ struct GaugeInput {
 struct OutputInput {
     std::optional<double> fields_every;    ///< [s]
     std::optional<double> energies_every;  ///< [s]
-    double restart_every = 600;          ///< of wall clock [s]
+    double restart_every = 600;            ///< of wall clock [s]
     std::size_t particles_shown = 200'000;
     int averages = 48;
     bool compress = false;

@@ -28,7 +28,7 @@ Value converted_table(const toml::table& table, const std::string& file)
     std::vector<Row> rows;
     for (const auto& [key, node] : table) rows.push_back({{std::string(key.str()), place_of(key.source(), file)}, &node});
     // toml++ keeps keys sorted by name; people expect the order of the file.
-    std::stable_sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) {
+    std::sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) {
         return std::pair(a.key.place.line, a.key.place.column) < std::pair(b.key.place.line, b.key.place.column);
     });
     Value value;
@@ -102,8 +102,11 @@ bool is_index(const std::string& word, std::size_t& index)
 Value& list_item(Value& list, const std::string& word, const Place& place)
 {
     std::size_t index = 0;
-    if (!is_index(word, index)) throw InputError(fmt::format("'{}' is no index of a list", word), fmt::format("expected 0 to {}", list.items.size()), place);
-    if (index > list.items.size()) throw InputError(fmt::format("there is no entry {}: the list has {}, counted from 0", index, list.items.size()), fmt::format("expected 0 to {}", list.items.size()), place);
+    if (!is_index(word, index))
+        throw InputError(fmt::format("'{}' is no index of a list", word), fmt::format("expected 0 to {}", list.items.size()), place);
+    if (index > list.items.size())
+        throw InputError(fmt::format("there is no entry {}: the list has {}, counted from 0", index, list.items.size()),
+                         fmt::format("expected 0 to {}", list.items.size()), place);
     if (index == list.items.size()) {
         list.items.emplace_back();
         list.items.back().place = place;
@@ -136,7 +139,8 @@ Value parse_toml(const std::string& text, const std::string& file)
         value.place = {file, 1, 1};
         return value;
     } catch (const toml::parse_error& error) {
-        throw InputError(std::string(error.description()), "expected TOML: key = value, [table] or [[list of tables]]", place_of(error.source(), file));
+        throw InputError(std::string(error.description()), "expected TOML: key = value, [table] or [[list of tables]]",
+                         place_of(error.source(), file));
     }
 }
 
@@ -154,7 +158,9 @@ void apply_setting(Value& document, const std::string& setting)
     const std::size_t equals = setting.find('=');
     const std::string path = setting.substr(0, equals);
     const Place place{"--set " + path, 0, 0};
-    if (equals == std::string::npos || equals == 0) throw InputError(fmt::format("--set {} has no key and value", setting), "expected key=value, such as --set charge.0.mass=\"20 kg\"");
+    if (equals == std::string::npos || equals == 0)
+        throw InputError(fmt::format("--set {} has no key and value", setting),
+                         "expected key=value, such as --set charge.0.mass=\"20 kg\"");
     const std::vector<std::string> words = words_of_path(path);
     Value* value = &document;
     for (std::size_t i = 0; i + 1 < words.size(); ++i) {

@@ -86,7 +86,8 @@ TEST(Build, UnburntGasHasTheExplosivesEnergy)
     const auto model = build(plate({"gas.particles=10_000"}));
     double energy = 0;
     for (const Particle& particle : model->gas.particles)
-        if ((particle.tag & particle_tag::unburnt) != 0) energy += particle.energy + 0.5 * model->gas.species[1].particle_mass * norm_squared(Vector3d(particle.velocity));
+        if ((particle.tag & particle_tag::unburnt) != 0)
+            energy += particle.energy + 0.5 * model->gas.species[1].particle_mass * norm_squared(Vector3d(particle.velocity));
     EXPECT_NEAR(energy, 15.0 / 4 / 1630 * 7e9, 1e-5 * energy);
 }
 
@@ -142,7 +143,8 @@ velocity = [3, 0, 0]
     EXPECT_EQ(survey.gas->counts[1], 8000u);
     const auto model = build(description);
     double momentum = 0;
-    for (const Particle& particle : model->gas.particles) momentum += model->gas.species[particle_tag::species(particle.tag)].particle_mass * static_cast<double>(particle.velocity.x);
+    for (const Particle& particle : model->gas.particles)
+        momentum += model->gas.species[particle_tag::species(particle.tag)].particle_mass * static_cast<double>(particle.velocity.x);
     EXPECT_NEAR(momentum, 3 * 0.005, 1e-6);
 }
 

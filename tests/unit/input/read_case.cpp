@@ -80,7 +80,10 @@ TEST(ReadCase, ReadsThePlate)
 
 TEST(ReadCase, SettingsChangeValues)
 {
-    const CaseDescription d = read_case_text(plate, "case.toml", {"charge.0.mass=20 kg", "end_time=\"1 ms\"", "charge.0.explosive=c4", "gas.particles={ products = 10, air = 20 }", "output.fields_every=10 us", "gas.edges.z=[\"open\", \"open\"]"});
+    const CaseDescription d =
+        read_case_text(plate, "case.toml",
+                       {"charge.0.mass=20 kg", "end_time=\"1 ms\"", "charge.0.explosive=c4", "gas.particles={ products = 10, air = 20 }",
+                        "output.fields_every=10 us", "gas.edges.z=[\"open\", \"open\"]"});
     EXPECT_DOUBLE_EQ(*d.charges[0].mass, 20);
     EXPECT_DOUBLE_EQ(d.end_time, 1e-3);
     EXPECT_EQ(d.charges[0].explosive.name, "c4");
@@ -93,7 +96,8 @@ TEST(ReadCase, SettingsChangeValues)
 TEST(ReadCase, WrongSettingsNameThemselves)
 {
     EXPECT_THAT(refusal(plate, {"charge.0.mass=20 m"}), HasSubstr("--set charge.0.mass: mass: \"20 m\" is a length; expected a mass"));
-    EXPECT_THAT(refusal(plate, {"charge.0.mas=20 kg"}), HasSubstr("--set charge.0.mas: unknown key 'mas' in 'charge'; did you mean 'mass'?"));
+    EXPECT_THAT(refusal(plate, {"charge.0.mas=20 kg"}),
+                HasSubstr("--set charge.0.mas: unknown key 'mas' in 'charge'; did you mean 'mass'?"));
     EXPECT_THAT(refusal(plate, {"charge.7.mass=20 kg"}), HasSubstr("there is no entry 7: the list has 1"));
     EXPECT_THAT(refusal(plate, {"charge.first.mass=20 kg"}), HasSubstr("'first' is no index"));
     EXPECT_THAT(refusal(plate, {"end_time"}), HasSubstr("has no key and value"));
@@ -102,11 +106,15 @@ TEST(ReadCase, WrongSettingsNameThemselves)
 
 TEST(ReadCase, MistakesAreNamedWithTheirPlace)
 {
-    EXPECT_THAT(refusal(replaced(plate, "mass =", "masss =")), HasSubstr("case.toml:7:1: unknown key 'masss' in 'charge'; did you mean 'mass'?"));
-    EXPECT_THAT(refusal(replaced(plate, "\"15 kg\"", "\"15 mm\"")), HasSubstr("case.toml:7:8: mass: \"15 mm\" is a length; expected a mass"));
+    EXPECT_THAT(refusal(replaced(plate, "mass =", "masss =")),
+                HasSubstr("case.toml:7:1: unknown key 'masss' in 'charge'; did you mean 'mass'?"));
+    EXPECT_THAT(refusal(replaced(plate, "\"15 kg\"", "\"15 mm\"")),
+                HasSubstr("case.toml:7:8: mass: \"15 mm\" is a length; expected a mass"));
     EXPECT_THAT(refusal(replaced(plate, "\"15 kg\"", "true")), HasSubstr("case.toml:7:8: 'mass' is true or false; expected number > 0"));
-    EXPECT_THAT(refusal(replaced(plate, "\"15 kg\"", "-15")), HasSubstr("case.toml:7:8: mass = -15 is out of range; expected a number > 0 kg"));
-    EXPECT_THAT(refusal(replaced(plate, "end_time = \"3 ms\"", "end_time = 0")), HasSubstr("case.toml:2:12: end_time = 0 is out of range; expected a number > 0 s"));
+    EXPECT_THAT(refusal(replaced(plate, "\"15 kg\"", "-15")),
+                HasSubstr("case.toml:7:8: mass = -15 is out of range; expected a number > 0 kg"));
+    EXPECT_THAT(refusal(replaced(plate, "end_time = \"3 ms\"", "end_time = 0")),
+                HasSubstr("case.toml:2:12: end_time = 0 is out of range; expected a number > 0 s"));
     EXPECT_THAT(refusal(replaced(plate, "particles = 200_000", "particles = 0")), HasSubstr("case.toml:13:13: total = 0 is out of range"));
     EXPECT_THAT(refusal(replaced(plate, "end_time = \"3 ms\"", "")), HasSubstr("the case has no 'end_time'"));
     EXPECT_THAT(refusal(replaced(plate, "{ disk =", "{ disc =")), HasSubstr("did you mean 'disk'?"));
@@ -180,7 +188,8 @@ TEST(Presets, EarlierFoldersComeFirst)
 {
     const std::filesystem::path own = std::filesystem::temp_directory_path() / "corpuscle_test_presets";
     std::filesystem::create_directories(own / "explosives");
-    std::filesystem::copy_file(source / "share/explosives/c4.toml", own / "explosives/tnt.toml", std::filesystem::copy_options::overwrite_existing);
+    std::filesystem::copy_file(source / "share/explosives/c4.toml", own / "explosives/tnt.toml",
+                               std::filesystem::copy_options::overwrite_existing);
     CaseDescription d = read_case_text(plate, "case.toml");
     resolve_presets(d, {own, source / "share"});
     EXPECT_DOUBLE_EQ(d.charges[0].explosive.values->density, 1601);
@@ -189,7 +198,8 @@ TEST(Presets, EarlierFoldersComeFirst)
 
 TEST(Presets, ValuesInPlaceNeedNoPreset)
 {
-    CaseDescription d = read_case_text(replaced(plate, "fill = \"air\"", "fill = { gamma = 1.3, density = 1.0, pressure = 1e5 }"), "case.toml");
+    CaseDescription d =
+        read_case_text(replaced(plate, "fill = \"air\"", "fill = { gamma = 1.3, density = 1.0, pressure = 1e5 }"), "case.toml");
     resolve_presets(d, {source / "share"});
     EXPECT_DOUBLE_EQ(*d.gas->fill->values->gamma, 1.3);
 }

@@ -149,7 +149,9 @@ TEST(Table, MissingKeyIsNamedWithAnExample)
 {
     Value value;
     value.place = {"sample", 4, 2};
-    EXPECT_THAT(Reading(value).said(), HasSubstr("sample:4:2: 'sample' has no 'mass'; expected number > 0 in kg or with a unit (g, kg, t, lb), such as mass = \"15 kg\""));
+    EXPECT_THAT(
+        Reading(value).said(),
+        HasSubstr("sample:4:2: 'sample' has no 'mass'; expected number > 0 in kg or with a unit (g, kg, t, lb), such as mass = \"15 kg\""));
 }
 
 TEST(Table, RangesAreKept)
@@ -181,7 +183,8 @@ TEST(Table, AlternativesExcludeEachOther)
     Value inner;
     inner.put("length", number(1));
     inner.put("word", text("x"));
-    EXPECT_THAT(Reading(with("single", inner)).said(), HasSubstr("'inner' has length and word at once; expected at most one of length, word"));
+    EXPECT_THAT(Reading(with("single", inner)).said(),
+                HasSubstr("'inner' has length and word at once; expected at most one of length, word"));
 }
 
 TEST(Table, AllProblemsAreToldAtOnceInOrder)
@@ -251,7 +254,8 @@ TEST(Manual, ExplainsByFullNameAndByLastWord)
 TEST(Manual, PageHasEveryParameter)
 {
     const std::string page = reference_page(table_of<Sample>());
-    for (const NamedParameter& named : all_parameters(table_of<Sample>())) EXPECT_THAT(page, HasSubstr("| `" + named.parameter->key + "` |")) << named.path;
+    for (const NamedParameter& named : all_parameters(table_of<Sample>()))
+        EXPECT_THAT(page, HasSubstr("| `" + named.parameter->key + "` |")) << named.path;
 }
 
 }  // namespace
