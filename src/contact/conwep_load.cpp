@@ -96,8 +96,9 @@ std::vector<Transfer> ConwepLoad::apply(const Clock& clock)
 
 FieldSet ConwepLoad::state()
 {
-    return {name(), {stored_field("specific_impulse", "Pa s", "what the blast has given, per area", specific_impulse_),
-                     stored_field("facet_impulse", "N s", "impulse of the blast on each facet since the start", facet_impulse_)}};
+    return {name(),
+            {stored_field("specific_impulse", "Pa s", "what the blast has given, per area", specific_impulse_),
+             stored_field("facet_impulse", "N s", "impulse of the blast on each facet since the start", facet_impulse_)}};
 }
 
 FieldSet ConwepLoad::facet_fields()

@@ -58,11 +58,11 @@ struct CellState {
 
 /// Space that a thread works in.
 struct Workspace {
-    std::vector<Particle*> active;     ///< of a cell: all but explosive that waits
-    std::vector<SpeciesSums> sums;     ///< of a cell
-    std::vector<float> group_count;    ///< particles of each species in the group
-    std::vector<float> density;        ///< of each species in the group [kg/m3]
-    Virial virial = Virial::none;      ///< of the group
+    std::vector<Particle*> active;   ///< of a cell: all but explosive that waits
+    std::vector<SpeciesSums> sums;   ///< of a cell
+    std::vector<float> group_count;  ///< particles of each species in the group
+    std::vector<float> density;      ///< of each species in the group [kg/m3]
+    Virial virial = Virial::none;    ///< of the group
 
     explicit Workspace(std::size_t species) : sums(species), group_count(species), density(species) {}
 };
@@ -87,7 +87,8 @@ struct Tally {
 /// The collisions of one step; a cell at a time.
 class Collider {
 public:
-    Collider(Gas& gas, const Clock& clock, const FacetTree* walls) : gas_(gas), clock_(clock), walls_(walls), duration_(static_cast<float>(clock.duration()))
+    Collider(Gas& gas, const Clock& clock, const FacetTree* walls)
+        : gas_(gas), clock_(clock), walls_(walls), duration_(static_cast<float>(clock.duration()))
     {
         exchange_threshold_ = static_cast<std::uint32_t>(65536 / gas.settings.relaxation);
         for (const Species& species : gas.species) {
@@ -231,15 +232,18 @@ private:
             if (own.count == 0) continue;
             const SpeciesView& view = species_[s];
             const float kinetic = bias * view.mass * own.velocity_squared / (3 * state.volume);
-            if (view.virial) state.virial_pressure +=
-                std::visit([&](const auto& law) { return mean_virial_pressure(law, work.density[s], kinetic, work.group_count[s]); }, *view.law);
+            if (view.virial)
+                state.virial_pressure += std::visit(
+                    [&](const auto& law) { return mean_virial_pressure(law, work.density[s], kinetic, work.group_count[s]); }, *view.law);
             energy += 0.5f * view.mass * (own.count * own.velocity_squared - norm_squared(own.velocity)) * (1 + 2 * view.stretch);
             for (std::size_t t = 0; t < s; ++t) {
                 const SpeciesSums& other = sums[t];
                 if (other.count == 0) continue;
                 const float reduced = view.mass * species_[t].mass / (view.mass + species_[t].mass);
-                energy += reduced * (own.count * other.velocity_squared + other.count * own.velocity_squared - 2 * dot(own.velocity, other.velocity)) *
-                          (1 + view.stretch + species_[t].stretch);
+                energy +=
+                    reduced *
+                    (own.count * other.velocity_squared + other.count * own.velocity_squared - 2 * dot(own.velocity, other.velocity)) *
+                    (1 + view.stretch + species_[t].stretch);
             }
         }
         state.pair_energy = energy / (0.5f * state.particles * (state.particles - 1));
@@ -349,7 +353,8 @@ private:
 void run(Gas& gas, const Clock& clock, const FacetTree* walls)
 {
     const Collider collider(gas, clock, walls);
-    Tally tally = sum_chunks<Tally>(gas.cells.groups.size(), [&](std::size_t begin, std::size_t end) { return collider(begin, end); }, groups_per_chunk);
+    Tally tally = sum_chunks<Tally>(
+        gas.cells.groups.size(), [&](std::size_t begin, std::size_t end) { return collider(begin, end); }, groups_per_chunk);
     gas.passages += tally.passages;
     gas.displaced = std::move(tally.displaced);
     gas.step_limit = gas.settings.cfl * tally.step_limit;

@@ -49,10 +49,10 @@ public:
 private:
     struct Axis {
         float lower = 0;
-        float scale = 0;          ///< integer steps a metre
-        std::int32_t last = 0;    ///< largest integer coordinate
+        float scale = 0;        ///< integer steps a metre
+        std::int32_t last = 0;  ///< largest integer coordinate
         int bits = 0;
-        std::array<std::uint8_t, depth_limit> depth_of_bit{};  ///< from the most significant bit
+        std::array<std::uint8_t, depth_limit> depth_of_bit{};    ///< from the most significant bit
         std::array<std::array<std::uint64_t, 256>, 3> spread{};  ///< a byte of the coordinate, its bits put in their places
 
         [[nodiscard]] std::uint64_t key(float coordinate) const

@@ -44,7 +44,7 @@ struct FacePassages {
 
 /// The box that holds the gas and what its six faces are.
 struct Domain {
-    Box box;                                ///< [m]
+    Box box;                               ///< [m]
     std::array<Edge, face_count> edges{};  ///< x-, x+, y-, y+, z-, z+
 
     /// The first face that the straight path from `start` to `end` leaves through, and the fraction of the path to it

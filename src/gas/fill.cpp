@@ -63,17 +63,23 @@ std::vector<Vector3d> scatter(const Fill& fill, const Domain& domain, const Latt
 {
     struct Places {
         std::vector<Vector3d> list;
-        Places& operator+=(const Places& other) { list.insert(list.end(), other.list.begin(), other.list.end()); return *this; }
-    };
-    return sum_chunks<Places>(lattice.size(), [&](std::size_t begin, std::size_t end) {
-        Places places;
-        for (std::size_t c = begin; c < end; ++c) {
-            Random random(seed, Purpose::fill, 0, c);
-            const Vector3d place = lattice.place(c, random_fraction(random));
-            if (belongs(fill, domain, place)) places.list.push_back(place);
+        Places& operator+=(const Places& other)
+        {
+            list.insert(list.end(), other.list.begin(), other.list.end());
+            return *this;
         }
-        return places;
-    }).list;
+    };
+    return sum_chunks<Places>(lattice.size(),
+                              [&](std::size_t begin, std::size_t end) {
+                                  Places places;
+                                  for (std::size_t c = begin; c < end; ++c) {
+                                      Random random(seed, Purpose::fill, 0, c);
+                                      const Vector3d place = lattice.place(c, random_fraction(random));
+                                      if (belongs(fill, domain, place)) places.list.push_back(place);
+                                  }
+                                  return places;
+                              })
+        .list;
 }
 
 /// Drops or adds random places until there are exactly `count`.
@@ -87,7 +93,8 @@ void adjust(std::vector<Vector3d>& places, std::size_t count, const Fill& fill, 
     }
     const Lattice whole(common_box(fill.shape.bounds(), domain.box), 1e30);
     for (std::size_t tries = 0; places.size() < count; ++tries) {
-        if (tries > 1000 * count + 100000) throw InputError("a fill's region is too thin for its particles", "give it more volume or fewer particles");
+        if (tries > 1000 * count + 100000)
+            throw InputError("a fill's region is too thin for its particles", "give it more volume or fewer particles");
         const Vector3d place = whole.place(0, random_fraction(random));
         if (belongs(fill, domain, place)) places.push_back(place);
     }
@@ -146,7 +153,8 @@ void fill(Gas& gas, const Fill& fill, std::size_t count)
     if (count == 0) return;
     const std::size_t first = gas.particles.size();
     const std::uint64_t seed = gas.settings.seed + 0x9E3779B97F4A7C15u * (first + 1);
-    const Lattice lattice(common_box(fill.shape.bounds(), gas.domain.box), std::cbrt(volume(fill, gas.domain) / static_cast<double>(count)));
+    const Lattice lattice(common_box(fill.shape.bounds(), gas.domain.box),
+                          std::cbrt(volume(fill, gas.domain) / static_cast<double>(count)));
     std::vector<Vector3d> places = scatter(fill, gas.domain, lattice, seed);
     adjust(places, count, fill, gas.domain, seed);
 
@@ -156,7 +164,8 @@ void fill(Gas& gas, const Fill& fill, std::size_t count)
     const double internal = species.particle_mass * fill.energy_per_mass * (1 - translational_share(gamma));
     const ThermalDraw thermal = draw_thermal(count, species.internal_freedoms, seed, 0);
     const bool waits = fill.charge >= 0;
-    const std::uint32_t tag = particle_tag::make(fill.species, waits ? static_cast<std::uint32_t>(fill.charge) : 0, waits ? particle_tag::unburnt : 0);
+    const std::uint32_t tag =
+        particle_tag::make(fill.species, waits ? static_cast<std::uint32_t>(fill.charge) : 0, waits ? particle_tag::unburnt : 0);
     gas.particles.resize(first + count);
     for_each(count, [&](std::size_t i) {
         Particle& particle = gas.particles[first + i];

@@ -10,12 +10,12 @@ namespace corpuscle {
 /// A gas state in a region: `shape` within the domain, less what later fills take.
 struct Fill {
     Shape shape;
-    std::vector<Shape> cut_by;       ///< later fills
+    std::vector<Shape> cut_by;  ///< later fills
     std::uint32_t species = 0;
-    double density = 0;              ///< [kg/m3]
-    double energy_per_mass = 0;      ///< internal and translational heat [J/kg]
-    Vector3d velocity;               ///< of the whole [m/s]
-    std::int64_t charge = -1;        ///< the charge this is, waiting for its detonation; -1: gas from the start
+    double density = 0;          ///< [kg/m3]
+    double energy_per_mass = 0;  ///< internal and translational heat [J/kg]
+    Vector3d velocity;           ///< of the whole [m/s]
+    std::int64_t charge = -1;    ///< the charge this is, waiting for its detonation; -1: gas from the start
 };
 
 /// Volume of the part of the domain that a fill takes [m3]; exact where its cuts lie wholly inside it and apart from one another,

@@ -26,7 +26,8 @@ struct Flown {
 /// Displacements by particle, those of one particle added up, in the particles' order.
 void gather_displacements(std::vector<Displacement>& displaced)
 {
-    std::stable_sort(displaced.begin(), displaced.end(), [](const Displacement& a, const Displacement& b) { return a.particle < b.particle; });
+    std::stable_sort(displaced.begin(), displaced.end(),
+                     [](const Displacement& a, const Displacement& b) { return a.particle < b.particle; });
     std::size_t kept = 0;
     for (std::size_t i = 0; i < displaced.size(); ++i) {
         if (kept > 0 && displaced[kept - 1].particle == displaced[i].particle) {
@@ -42,7 +43,8 @@ void gather_displacements(std::vector<Displacement>& displaced)
 Flown fly_chunk(Gas& gas, float duration, const FacetTree* walls, std::size_t begin, std::size_t end)
 {
     Flown flown;
-    auto displaced = std::lower_bound(gas.displaced.begin(), gas.displaced.end(), begin, [](const Displacement& d, std::size_t i) { return d.particle < i; });
+    auto displaced = std::lower_bound(gas.displaced.begin(), gas.displaced.end(), begin,
+                                      [](const Displacement& d, std::size_t i) { return d.particle < i; });
     for (std::size_t i = begin; i < end; ++i) {
         Particle& particle = gas.particles[i];
         if (particle.tag & (particle_tag::unburnt | particle_tag::gone)) continue;
@@ -68,7 +70,8 @@ void fly(Gas& gas, const Clock& clock, const FacetTree& walls)
     const FacetTree* facets = walls.size() == 0 ? nullptr : &walls;
     const auto duration = static_cast<float>(clock.duration());
     gather_displacements(gas.displaced);
-    Flown flown = sum_chunks<Flown>(gas.particles.size(), [&](std::size_t begin, std::size_t end) { return fly_chunk(gas, duration, facets, begin, end); });
+    Flown flown = sum_chunks<Flown>(gas.particles.size(),
+                                    [&](std::size_t begin, std::size_t end) { return fly_chunk(gas, duration, facets, begin, end); });
     gas.passages += flown.passages;
     gas.pending = std::move(flown.pending);
     gas.displaced.clear();

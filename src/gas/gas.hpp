@@ -15,17 +15,17 @@ namespace corpuscle {
 /// How the gas is computed; the defaults are what the theory manual justifies.
 struct GasSettings {
     std::uint64_t seed = 1;
-    std::uint32_t cell_limit = 16;    ///< most particles in a collision cell
-    std::uint32_t group_limit = 64;   ///< most particles in the group whose density gives the virial pressure
-    double mean_free_path = 1.0;      ///< in local particle spacings (V/n)^(1/3)
-    double relaxation = 2.0;          ///< collisions between two exchanges of translational and internal energy of a particle
-    double cfl = 0.4;                 ///< of the time step, in local spacings over 1.8 thermal speeds
+    std::uint32_t cell_limit = 16;   ///< most particles in a collision cell
+    std::uint32_t group_limit = 64;  ///< most particles in the group whose density gives the virial pressure
+    double mean_free_path = 1.0;     ///< in local particle spacings (V/n)^(1/3)
+    double relaxation = 2.0;         ///< collisions between two exchanges of translational and internal energy of a particle
+    double cfl = 0.4;                ///< of the time step, in local spacings over 1.8 thermal speeds
 };
 
 /// A particle near a surface, whose flight in this step is left to the contact that knows the surface.
 struct Pending {
     std::uint32_t particle = 0;
-    float start = 0;         ///< fraction of the step at which the flight begins (0; later for gas that flows in)
+    float start = 0;        ///< fraction of the step at which the flight begins (0; later for gas that flows in)
     Vector3f displacement;  ///< [m] of the particle's collisions, gone along before the flight, at the step's start
 };
 
@@ -60,8 +60,8 @@ struct Charge {
 /// The gas that surrounds the domain, and flows in through `ambient` edges.
 struct AmbientGas {
     std::uint32_t species = 0;
-    double density = 0;      ///< [kg/m3]; 0: vacuum
-    double pressure = 0;     ///< [Pa]
+    double density = 0;            ///< [kg/m3]; 0: vacuum
+    double pressure = 0;           ///< [Pa]
     double velocity_variance = 0;  ///< of one component [m2/s2]
 };
 
@@ -76,11 +76,11 @@ struct Gas {
     std::vector<Particle> particles;  ///< in the order of the cell curve after a sort; newcomers at the end
     Cells cells;                      ///< as cut by the last sort
     std::vector<Displacement> displaced;
-    std::vector<Pending> pending;     ///< flights of this step that end near a surface
-    FacePassages passages;            ///< given to the faces since the start of the run
+    std::vector<Pending> pending;                  ///< flights of this step that end near a surface
+    FacePassages passages;                         ///< given to the faces since the start of the run
     std::array<double, face_count> inflow_debt{};  ///< fractions of particles owed by ambient edges
-    double step_limit = 0;            ///< stable step found by the last survey [s]
-    std::uint64_t collisions = 0;     ///< accepted pairs since the start
+    double step_limit = 0;                         ///< stable step found by the last survey [s]
+    std::uint64_t collisions = 0;                  ///< accepted pairs since the start
 };
 
 /// Mass, momentum and energy held [kg, kg m/s, J]; explosive that waits counts as "explosive", apart.

@@ -20,7 +20,8 @@ Particle newcomer(const Gas& gas, int face, Random& random)
     for (int a = 0; a < 3; ++a) {
         const double lower = gas.domain.box.lower[a], size = gas.domain.box.size()[a];
         particle.position[a] = static_cast<float>(a == axis ? (upper ? lower + size : lower) : lower + size * random.uniform_double());
-        particle.velocity[a] = static_cast<float>(a == axis ? (upper ? -1 : 1) * sigma * std::sqrt(-2 * std::log(random.uniform_double())) : sigma * random.normal());
+        particle.velocity[a] = static_cast<float>(a == axis ? (upper ? -1 : 1) * sigma * std::sqrt(-2 * std::log(random.uniform_double()))
+                                                            : sigma * random.normal());
     }
     const double temperature = species.particle_mass * gas.ambient.velocity_variance;  // k T of a particle
     if (species.internal_freedoms > 0) particle.energy = static_cast<float>(temperature * random.gamma(0.5 * species.internal_freedoms));

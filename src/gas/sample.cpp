@@ -62,8 +62,9 @@ GasSample evaluate(const Gas& gas, const Moments& moments, double volume)
     for (std::size_t s = 0; s < moments.count.size(); ++s) {
         if (moments.count[s] == 0) continue;
         const double m = gas.species[s].particle_mass;
-        const double own = 0.5 * m *
-                           (moments.squared[s] - 2 * dot(result.velocity, moments.velocity[s]) + moments.count[s] * norm_squared(result.velocity));
+        const double own =
+            0.5 * m *
+            (moments.squared[s] - 2 * dot(result.velocity, moments.velocity[s]) + moments.count[s] * norm_squared(result.velocity));
         thermal += own;
         const double kinetic = 2.0 / 3.0 * own / volume;
         result.pressure += kinetic + virial_pressure(gas.species[s].law, m * moments.count[s] / volume, kinetic);
@@ -108,8 +109,9 @@ GasGrid average(const Gas& gas, double cell_size)
         return (index[2] * grid.cells[1] + index[1]) * grid.cells[0] + index[0];
     };
     std::vector<std::uint32_t> order(gas.particles.size());
-    const std::vector<std::uint32_t> start = stable_counting_sort(
-        gas.particles.size(), cells + 1, cell_of, [&](std::size_t i, std::uint32_t position) { order[position] = static_cast<std::uint32_t>(i); });
+    const std::vector<std::uint32_t> start =
+        stable_counting_sort(gas.particles.size(), cells + 1, cell_of,
+                             [&](std::size_t i, std::uint32_t position) { order[position] = static_cast<std::uint32_t>(i); });
 
     grid.density.resize(cells);
     grid.velocity.resize(cells);
@@ -121,7 +123,8 @@ GasGrid average(const Gas& gas, double cell_size)
         for (std::uint32_t k = start[c]; k < start[c + 1]; ++k) moments.add(gas.particles[order[k]]);
         const GasSample average = evaluate(gas, moments, volume);
         double products = 0;
-        for (const Charge& charge : gas.charges) products = std::max(products, moments.count[charge.species] * gas.species[charge.species].particle_mass);
+        for (const Charge& charge : gas.charges)
+            products = std::max(products, moments.count[charge.species] * gas.species[charge.species].particle_mass);
         grid.density[c] = static_cast<float>(average.density);
         grid.velocity[c] = Vector3f(average.velocity);
         grid.pressure[c] = static_cast<float>(average.pressure);
@@ -134,10 +137,14 @@ FieldSet fields(const GasGrid& grid)
 {
     const std::size_t cells = grid.size();
     FieldSet set{"gas averages", {}};
-    set.fields.push_back(derived_field<float>("density", "kg/m3", "mass of gas per volume", cells, [&grid](std::size_t i) { return grid.density[i]; }));
-    set.fields.push_back(derived_field<Vector3f>("velocity", "m/s", "velocity of the mass", cells, [&grid](std::size_t i) { return grid.velocity[i]; }));
-    set.fields.push_back(derived_field<float>("pressure", "Pa", "kinetic and virial pressure", cells, [&grid](std::size_t i) { return grid.pressure[i]; }));
-    set.fields.push_back(derived_field<float>("product_share", "1", "mass share of detonation products", cells, [&grid](std::size_t i) { return grid.product_share[i]; }));
+    set.fields.push_back(
+        derived_field<float>("density", "kg/m3", "mass of gas per volume", cells, [&grid](std::size_t i) { return grid.density[i]; }));
+    set.fields.push_back(
+        derived_field<Vector3f>("velocity", "m/s", "velocity of the mass", cells, [&grid](std::size_t i) { return grid.velocity[i]; }));
+    set.fields.push_back(
+        derived_field<float>("pressure", "Pa", "kinetic and virial pressure", cells, [&grid](std::size_t i) { return grid.pressure[i]; }));
+    set.fields.push_back(derived_field<float>("product_share", "1", "mass share of detonation products", cells,
+                                              [&grid](std::size_t i) { return grid.product_share[i]; }));
     return set;
 }
 
@@ -159,9 +166,9 @@ FieldSet particle_fields(const Gas& gas)
     set.fields.push_back(derived_field<std::uint8_t>("species", "1", "number of the species", count, [&particles](std::size_t i) {
         return static_cast<std::uint8_t>(particle_tag::species(particles[i].tag));
     }));
-    set.fields.push_back(derived_field<std::uint8_t>("burnt", "1", "0 for explosive that waits for its detonation", count, [&particles](std::size_t i) {
-        return static_cast<std::uint8_t>(particles[i].tag & particle_tag::unburnt ? 0 : 1);
-    }));
+    set.fields.push_back(derived_field<std::uint8_t>(
+        "burnt", "1", "0 for explosive that waits for its detonation", count,
+        [&particles](std::size_t i) { return static_cast<std::uint8_t>(particles[i].tag & particle_tag::unburnt ? 0 : 1); }));
     return set;
 }
 
@@ -171,7 +178,8 @@ namespace {
 template <class T, class Get, class Set>
 Field particle_field(Gas& gas, std::string name, std::string unit, Get get, Set put)
 {
-    Field field = derived_field<T>(std::move(name), std::move(unit), "particle state", gas.particles.size(), [&gas, get](std::size_t i) { return get(gas.particles[i]); });
+    Field field = derived_field<T>(std::move(name), std::move(unit), "particle state", gas.particles.size(),
+                                   [&gas, get](std::size_t i) { return get(gas.particles[i]); });
     field.restore = [&gas, put](const void* values, std::size_t count) {
         gas.particles.resize(count);
         const T* first = static_cast<const T*>(values);
@@ -183,7 +191,8 @@ Field particle_field(Gas& gas, std::string name, std::string unit, Get get, Set 
 /// A field of a few numbers kept in place.
 Field array_field(std::string name, std::string unit, std::string meaning, double* values, std::size_t count)
 {
-    Field field = derived_field<double>(std::move(name), std::move(unit), std::move(meaning), count, [values](std::size_t i) { return values[i]; });
+    Field field =
+        derived_field<double>(std::move(name), std::move(unit), std::move(meaning), count, [values](std::size_t i) { return values[i]; });
     field.restore = [values](const void* saved, std::size_t saved_count) {
         const double* first = static_cast<const double*>(saved);
         std::copy(first, first + saved_count, values);
@@ -199,12 +208,17 @@ FieldSet state(Gas& gas)
 {
     FieldSet set{"gas", {}};
     const auto add = [&](Field field) { set.fields.push_back(std::move(field)); };
-    add(particle_field<Vector3f>(gas, "position", "m", [](const Particle& p) { return p.position; }, [](Particle& p, const Vector3f& v) { p.position = v; }));
-    add(particle_field<Vector3f>(gas, "velocity", "m/s", [](const Particle& p) { return p.velocity; }, [](Particle& p, const Vector3f& v) { p.velocity = v; }));
+    add(particle_field<Vector3f>(
+        gas, "position", "m", [](const Particle& p) { return p.position; }, [](Particle& p, const Vector3f& v) { p.position = v; }));
+    add(particle_field<Vector3f>(
+        gas, "velocity", "m/s", [](const Particle& p) { return p.velocity; }, [](Particle& p, const Vector3f& v) { p.velocity = v; }));
     add(particle_field<float>(gas, "energy", "J", [](const Particle& p) { return p.energy; }, [](Particle& p, float v) { p.energy = v; }));
-    add(particle_field<std::uint32_t>(gas, "tag", "1", [](const Particle& p) { return p.tag; }, [](Particle& p, std::uint32_t v) { p.tag = v; }));
-    set.fields.push_back(array_field("inflow_debt", "1", "particles owed by ambient edges", gas.inflow_debt.data(), gas.inflow_debt.size()));
-    set.fields.push_back(array_field("passages", "SI", "mass, momentum and energy given to each face", &gas.passages.face[0].mass, 5 * face_count));
+    add(particle_field<std::uint32_t>(
+        gas, "tag", "1", [](const Particle& p) { return p.tag; }, [](Particle& p, std::uint32_t v) { p.tag = v; }));
+    set.fields.push_back(
+        array_field("inflow_debt", "1", "particles owed by ambient edges", gas.inflow_debt.data(), gas.inflow_debt.size()));
+    set.fields.push_back(
+        array_field("passages", "SI", "mass, momentum and energy given to each face", &gas.passages.face[0].mass, 5 * face_count));
     const Field tags = set.fields[3];
     set.fields[3].restore = [&gas, tags](const void* values, std::size_t count) {
         tags.restore(values, count);

@@ -20,10 +20,10 @@ struct Mover {
 
 /// What a bucket keeps and what comes to it.
 struct Moves {
-    std::vector<std::uint32_t> kept;    ///< particles that stay, by bucket
-    std::vector<Mover> movers;          ///< in the order they were found
-    std::vector<std::uint32_t> order;   ///< of the movers by bucket
-    std::vector<std::uint32_t> start;   ///< first in `order` of each bucket, and the end
+    std::vector<std::uint32_t> kept;   ///< particles that stay, by bucket
+    std::vector<Mover> movers;         ///< in the order they were found
+    std::vector<std::uint32_t> order;  ///< of the movers by bucket
+    std::vector<std::uint32_t> start;  ///< first in `order` of each bucket, and the end
 };
 
 std::size_t bucket_count(const Cells& cells)

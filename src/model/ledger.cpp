@@ -78,16 +78,27 @@ double Ledger::momentum_scale() const
 FieldSet Ledger::state()
 {
     FieldSet set{"ledger", {}};
-    saved_numbers_ = {initial_.mass, initial_.momentum.x, initial_.momentum.y, initial_.momentum.z, initial_.energy,
-                      from_outside_.mass, from_outside_.momentum.x, from_outside_.momentum.y, from_outside_.momentum.z, from_outside_.energy,
-                      mass_in_, energy_in_};
+    saved_numbers_ = {initial_.mass,
+                      initial_.momentum.x,
+                      initial_.momentum.y,
+                      initial_.momentum.z,
+                      initial_.energy,
+                      from_outside_.mass,
+                      from_outside_.momentum.x,
+                      from_outside_.momentum.y,
+                      from_outside_.momentum.z,
+                      from_outside_.energy,
+                      mass_in_,
+                      energy_in_};
     saved_names_.clear();
     for (const auto& [names, entry] : entries_) {
         saved_numbers_.insert(saved_numbers_.end(), {entry.mass, entry.momentum.x, entry.momentum.y, entry.momentum.z, entry.energy});
         for (const char c : entry.from + ">" + entry.to + ";") saved_names_.push_back(static_cast<std::uint8_t>(c));
     }
     Field names = stored_field("names", "1", "who gave to whom", saved_names_);
-    names.restore = [this](const void* values, std::size_t count) { saved_names_.assign(static_cast<const std::uint8_t*>(values), static_cast<const std::uint8_t*>(values) + count); };
+    names.restore = [this](const void* values, std::size_t count) {
+        saved_names_.assign(static_cast<const std::uint8_t*>(values), static_cast<const std::uint8_t*>(values) + count);
+    };
     Field numbers = stored_field("numbers", "1", "mass, momentum and energy at the start, from outside, and of each entry", saved_numbers_);
     numbers.restore = [this](const void* values, std::size_t count) {
         saved_numbers_.assign(static_cast<const double*>(values), static_cast<const double*>(values) + count);

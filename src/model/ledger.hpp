@@ -49,12 +49,12 @@ private:
     void take_up();
 
     Holding initial_;
-    Holding from_outside_;        ///< net
-    double mass_in_ = 0;          ///< that came in, not net [kg]
-    double energy_in_ = 0;        ///< work and energy that came in, not net [J]
+    Holding from_outside_;  ///< net
+    double mass_in_ = 0;    ///< that came in, not net [kg]
+    double energy_in_ = 0;  ///< work and energy that came in, not net [J]
     LedgerError error_;
     std::map<std::pair<std::string, std::string>, Transfer> entries_;
-    std::vector<double> saved_numbers_;      ///< as a restart holds them
+    std::vector<double> saved_numbers_;  ///< as a restart holds them
     std::vector<std::uint8_t> saved_names_;
 };
 

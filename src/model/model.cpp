@@ -28,9 +28,7 @@ double half_step_work(const Nodes& nodes, double duration)
 
 }  // namespace
 
-Model::Model(Gas gas_, Structure structure_) : gas(std::move(gas_)), structure(std::move(structure_)), gas_structure(gas, structure)
-{
-}
+Model::Model(Gas gas_, Structure structure_) : gas(std::move(gas_)), structure(std::move(structure_)), gas_structure(gas, structure) {}
 
 Holding Model::held(double duration) const
 {
@@ -38,7 +36,8 @@ Holding Model::held(double duration) const
     Holding total = inside.gas;
     total += inside.explosive;
     const StructureEnergy solid = energy(structure);
-    total += {0, momentum(structure) + waiting_for_supports(structure.nodes), solid.kinetic + solid.internal + solid.hourglass + half_step_work(structure.nodes, duration)};
+    total += {0, momentum(structure) + waiting_for_supports(structure.nodes),
+              solid.kinetic + solid.internal + solid.hourglass + half_step_work(structure.nodes, duration)};
     return total;
 }
 

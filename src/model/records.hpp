@@ -54,11 +54,11 @@ struct Gauge {
 
 /// Files for ParaView and restarts.
 struct OutputSettings {
-    double fields_every = 0;              ///< [s], 0: none
-    double history_every = 0;             ///< of the energies [s]
-    double restart_every = 600;           ///< of wall clock [s]
+    double fields_every = 0;     ///< [s], 0: none
+    double history_every = 0;    ///< of the energies [s]
+    double restart_every = 600;  ///< of wall clock [s]
     std::size_t particles_shown = 200'000;
-    int averages = 48;                    ///< cells along the longest side of the grid of averages
+    int averages = 48;  ///< cells along the longest side of the grid of averages
     bool compress = false;
 };
 

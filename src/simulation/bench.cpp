@@ -60,7 +60,10 @@ public:
 
 private:
     [[nodiscard]] bool wanted(const std::string& name) const { return settings_.name.empty() || settings_.name == name; }
-    void add(const std::string& name, double seconds, double things, double bytes = 0) { lines_.push_back({name, threads_, 1e9 * seconds / things, 0, bytes}); }
+    void add(const std::string& name, double seconds, double things, double bytes = 0)
+    {
+        lines_.push_back({name, threads_, 1e9 * seconds / things, 0, bytes});
+    }
 
     /// Particles copied through an index: in order, displaced within a thousand (as a sort of a nearly sorted array does), at random.
     void measure_copies()
@@ -70,7 +73,8 @@ private:
         std::vector<std::uint32_t> order(records);
         std::iota(order.begin(), order.end(), 0u);
         const auto copy = [&](const std::string& name) {
-            add(name, median_seconds([&] { for_each(records, [&](std::size_t i) { to[i] = from[order[i]]; }); }), records, 2 * sizeof(Particle));
+            add(name, median_seconds([&] { for_each(records, [&](std::size_t i) { to[i] = from[order[i]]; }); }), records,
+                2 * sizeof(Particle));
         };
         if (wanted("reference")) copy("reference: copy, in order");
         Random random(1, Purpose::fill, 0, 0);
@@ -88,7 +92,8 @@ private:
     void measure_triad()
     {
         std::vector<double> a(records), b(records, 1.0), c(records, 2.0);
-        add("reference: triad", median_seconds([&] { for_each_simd(records, [&](std::size_t i) { a[i] = b[i] + 3.0 * c[i]; }); }), records, 24);
+        add("reference: triad", median_seconds([&] { for_each_simd(records, [&](std::size_t i) { a[i] = b[i] + 3.0 * c[i]; }); }), records,
+            24);
     }
 
     /// A closed box of gas that collides about a third of a collision a particle and step.
@@ -186,7 +191,11 @@ std::string bench_json(const std::vector<BenchLine>& lines)
 {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (const BenchLine& line : lines) {
-        list.push_back({{"name", line.name}, {"threads", line.threads}, {"ns_per_thing_and_step", line.nanoseconds}, {"over_reference_copy", line.ratio}, {"bytes_per_thing", line.bytes}});
+        list.push_back({{"name", line.name},
+                        {"threads", line.threads},
+                        {"ns_per_thing_and_step", line.nanoseconds},
+                        {"over_reference_copy", line.ratio},
+                        {"bytes_per_thing", line.bytes}});
     }
     return nlohmann::ordered_json{{"version", 1}, {"lines", list}}.dump(2);
 }

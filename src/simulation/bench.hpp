@@ -8,18 +8,18 @@ namespace corpuscle {
 
 /// One measured loop: wall time for each thing it works on in a step.
 struct BenchLine {
-    std::string name;              ///< "gas: collide", "reference: triad", ...
+    std::string name;  ///< "gas: collide", "reference: triad", ...
     int threads = 1;
-    double nanoseconds = 0;        ///< wall, of a thing and a step; the median of several repeats
-    double ratio = 0;              ///< over the reference copy of 32-byte records with as many threads, in the same run
-    double bytes = 0;              ///< resident for each thing, 0 where that says nothing
+    double nanoseconds = 0;  ///< wall, of a thing and a step; the median of several repeats
+    double ratio = 0;        ///< over the reference copy of 32-byte records with as many threads, in the same run
+    double bytes = 0;        ///< resident for each thing, 0 where that says nothing
 };
 
 /// What to measure.
 struct BenchSettings {
-    std::string name;               ///< "gas", "shells", "reference", or all if empty
+    std::string name;  ///< "gas", "shells", "reference", or all if empty
     std::size_t particles = 800'000;
-    int steps = 20;                 ///< of the gas
+    int steps = 20;  ///< of the gas
     std::vector<int> threads{1, 2};
 };
 

@@ -120,7 +120,13 @@ void Recorder::sample_region(std::size_t index, double time, std::span<double> v
     seen_impulse_[index] += (0.5 * (last + gas.pressure) - initial) * (time - seen_time_[index]);
     seen_time_[index] = time;
     last = gas.pressure;
-    const std::array<double, 7> shown{gas.pressure, seen_impulse_[index], gas.density, gas.velocity.x, gas.velocity.y, gas.velocity.z, static_cast<double>(gas.particles)};
+    const std::array<double, 7> shown{gas.pressure,
+                                      seen_impulse_[index],
+                                      gas.density,
+                                      gas.velocity.x,
+                                      gas.velocity.y,
+                                      gas.velocity.z,
+                                      static_cast<double>(gas.particles)};
     std::copy(shown.begin(), shown.end(), values.begin());
 }
 
@@ -139,7 +145,8 @@ double Recorder::part_impulse(std::uint32_t part) const
 double Recorder::part_area(std::uint32_t part) const
 {
     const std::vector<Facet>& facets = model_.structure.surface.facets;
-    return sum<double>(facets.size(), [&](std::size_t f) { return facets[f].part == part ? norm(area_vector(model_.structure, facets[f])) : 0.0; });
+    return sum<double>(facets.size(),
+                       [&](std::size_t f) { return facets[f].part == part ? norm(area_vector(model_.structure, facets[f])) : 0.0; });
 }
 
 void Recorder::add_energies(OutputPlan& plan) const
@@ -153,7 +160,8 @@ void Recorder::add_energies(OutputPlan& plan) const
     source.sample = [this](std::span<double> values) {
         const GasContents gas = contents(model_.gas);
         const StructureEnergy solid = energy(model_.structure);
-        const std::array<double, 7> shown{gas.gas.energy, gas.explosive.energy, solid.kinetic, solid.internal, solid.plastic, solid.hourglass, model_.ledger.error().energy};
+        const std::array<double, 7> shown{gas.gas.energy,  gas.explosive.energy,        solid.kinetic, solid.internal, solid.plastic,
+                                          solid.hourglass, model_.ledger.error().energy};
         std::copy(shown.begin(), shown.end(), values.begin());
     };
     plan.history.push_back(std::move(source));
@@ -170,7 +178,8 @@ void write_particles(const Gas& gas, std::size_t limit, const VtkOptions& option
     for (std::size_t i = 0; i < gas.particles.size(); i += stride) {
         if (!(gas.particles[i].tag & particle_tag::gone)) shown.particles.push_back(gas.particles[i]);
     }
-    const Field places = derived_field<Vector3f>("position", "m", "place", shown.particles.size(), [&shown](std::size_t i) { return shown.particles[i].position; });
+    const Field places = derived_field<Vector3f>("position", "m", "place", shown.particles.size(),
+                                                 [&shown](std::size_t i) { return shown.particles[i].position; });
     write_points(path, places, particle_fields(shown), options);
 }
 
@@ -178,15 +187,18 @@ void write_averages(const Gas& gas, int cells, const VtkOptions& options, const 
 {
     const Vector3d size = gas.domain.box.size();
     const GasGrid grid = average(gas, std::max({size.x, size.y, size.z}) / std::max(1, cells));
-    const std::array<std::int64_t, 3> counts{static_cast<std::int64_t>(grid.cells[0]), static_cast<std::int64_t>(grid.cells[1]), static_cast<std::int64_t>(grid.cells[2])};
-    const Vector3d cell{size.x / static_cast<double>(counts[0]), size.y / static_cast<double>(counts[1]), size.z / static_cast<double>(counts[2])};
+    const std::array<std::int64_t, 3> counts{static_cast<std::int64_t>(grid.cells[0]), static_cast<std::int64_t>(grid.cells[1]),
+                                             static_cast<std::int64_t>(grid.cells[2])};
+    const Vector3d cell{size.x / static_cast<double>(counts[0]), size.y / static_cast<double>(counts[1]),
+                        size.z / static_cast<double>(counts[2])};
     write_image(path, cell_centers(counts, grid.box.lower, cell), fields(grid), options);
 }
 
 void write_structure(Structure& structure, const VtkOptions& options, const std::filesystem::path& path)
 {
     const std::vector<MeshElement> elements = cells(structure);
-    const Field places = derived_field<Vector3d>("position", "m", "place", structure.nodes.size(), [&structure](std::size_t i) { return structure.nodes.position[i]; });
+    const Field places = derived_field<Vector3d>("position", "m", "place", structure.nodes.size(),
+                                                 [&structure](std::size_t i) { return structure.nodes.position[i]; });
     write_cells(path, places, cell_grid(elements), {node_fields(structure), element_fields(structure)}, options);
 }
 
@@ -198,14 +210,19 @@ void Recorder::add_files(OutputPlan& plan) const
     const VtkOptions options{settings.compress ? 1 : 0};
     if (!model_.gas.species.empty()) {
         if (settings.particles_shown > 0) {
-            plan.fields.push_back({"gas", settings.fields_every, [this, options, limit = settings.particles_shown](const auto& path) { write_particles(model_.gas, limit, options, path); }});
+            plan.fields.push_back({"gas", settings.fields_every, [this, options, limit = settings.particles_shown](const auto& path) {
+                                       write_particles(model_.gas, limit, options, path);
+                                   }});
         }
         if (settings.averages > 0) {
-            plan.fields.push_back({"cells", settings.fields_every, [this, options, cells = settings.averages](const auto& path) { write_averages(model_.gas, cells, options, path); }});
+            plan.fields.push_back({"cells", settings.fields_every, [this, options, cells = settings.averages](const auto& path) {
+                                       write_averages(model_.gas, cells, options, path);
+                                   }});
         }
     }
     if (!model_.structure.parts.empty()) {
-        plan.fields.push_back({"structure", settings.fields_every, [this, options](const auto& path) { write_structure(model_.structure, options, path); }});
+        plan.fields.push_back(
+            {"structure", settings.fields_every, [this, options](const auto& path) { write_structure(model_.structure, options, path); }});
     }
 }
 

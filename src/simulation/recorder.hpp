@@ -35,9 +35,9 @@ private:
     [[nodiscard]] double part_area(std::uint32_t part) const;
 
     Model& model_;
-    std::vector<double> seen_impulse_;  ///< of each gauge at its last sample [Pa s]
-    std::vector<double> seen_time_;     ///< [s]
-    std::vector<double> seen_pressure_; ///< of region gauges: at the start, and at the last sample, in turn [Pa]
+    std::vector<double> seen_impulse_;   ///< of each gauge at its last sample [Pa s]
+    std::vector<double> seen_time_;      ///< [s]
+    std::vector<double> seen_pressure_;  ///< of region gauges: at the start, and at the last sample, in turn [Pa]
 };
 
 }  // namespace corpuscle

@@ -22,9 +22,9 @@ namespace corpuscle {
 
 namespace {
 
-constexpr double energy_limit = 0.02;   ///< of the energy that took part; beyond it a run is not sound
-constexpr double mass_limit = 1e-9;     ///< of the mass: less than any particle
-constexpr double log_lines = 200;       ///< in run.log, about
+constexpr double energy_limit = 0.02;  ///< of the energy that took part; beyond it a run is not sound
+constexpr double mass_limit = 1e-9;    ///< of the mass: less than any particle
+constexpr double log_lines = 200;      ///< in run.log, about
 
 const char* outside(Edge edge)
 {
@@ -43,8 +43,12 @@ Passage difference(const Passage& now, const Passage& before)
 
 }  // namespace
 
-Simulation::Simulation(std::unique_ptr<Model> model, RunFolder folder, Resumed) : model_(std::move(model)), folder_(std::move(folder)), recorder_(*model_)
+Simulation::Simulation(std::unique_ptr<Model> model, RunFolder folder, Resumed)
+    : model_(std::move(model)), folder_(std::move(folder)), recorder_(*model_)
 {
+    for (const Species& species : model_->gas.species) particles_at_start_[species.name] = 0;
+    for (const Particle& particle : model_->gas.particles)
+        ++particles_at_start_[model_->gas.species[particle_tag::species(particle.tag)].name];
 }
 
 Simulation::Simulation(std::unique_ptr<Model> model, RunFolder folder) : Simulation(std::move(model), std::move(folder), Resumed{})
@@ -131,10 +135,14 @@ void Simulation::check_soundness() const
 {
     const LedgerError& error = model_->ledger.error();
     const std::string when = fmt::format("at step {}, time {:.6g} s", clock_.step() + 1, clock_.end());
-    const std::string remedy = "the last good state is in restart/; try a smaller gas.cfl or a finer mesh, and look at the fields of the last dump";
-    if (!std::isfinite(error.mass + error.energy + error.momentum)) throw SafetyStop("a value is no longer finite " + when + first_not_finite(), remedy);
-    if (error.mass > mass_limit) throw SafetyStop(fmt::format("a particle is lost {}: {:.3g} of the mass is missing", when, error.mass), remedy);
-    if (error.energy > energy_limit) throw SafetyStop(fmt::format("energy is lost or made {}: {:.3g} of all energy", when, error.energy), remedy);
+    const std::string remedy =
+        "the last good state is in restart/; try a smaller gas.cfl or a finer mesh, and look at the fields of the last dump";
+    if (!std::isfinite(error.mass + error.energy + error.momentum))
+        throw SafetyStop("a value is no longer finite " + when + first_not_finite(), remedy);
+    if (error.mass > mass_limit)
+        throw SafetyStop(fmt::format("a particle is lost {}: {:.3g} of the mass is missing", when, error.mass), remedy);
+    if (error.energy > energy_limit)
+        throw SafetyStop(fmt::format("energy is lost or made {}: {:.3g} of all energy", when, error.energy), remedy);
 }
 
 /// Names the first particle or node with a value that is not finite.
@@ -201,8 +209,9 @@ void Simulation::log_step()
     const bool crossed = std::floor(clock_.time() / part) > std::floor((clock_.time() - clock_.duration()) / part);
     if (clock_.step() > 3 && !crossed) return;
     const LedgerError& error = model_->ledger.error();
-    outputs_->log().line(fmt::format("step {:7} time {:.6e} s  dt {:.3e} s ({})  particles {}  errors: mass {:.1e} momentum {:.1e} energy {:.1e}", clock_.step(),
-                                     clock_.time(), clock_.duration(), step_set_by_, model_->gas.particles.size(), error.mass, error.momentum, error.energy));
+    outputs_->log().line(fmt::format(
+        "step {:7} time {:.6e} s  dt {:.3e} s ({})  particles {}  errors: mass {:.1e} momentum {:.1e} energy {:.1e}", clock_.step(),
+        clock_.time(), clock_.duration(), step_set_by_, model_->gas.particles.size(), error.mass, error.momentum, error.energy));
 }
 
 RunSummary Simulation::summary() const
@@ -219,10 +228,7 @@ RunSummary Simulation::summary() const
     summary.peak_memory = peak_memory();
     summary.threads = thread_count();
     summary.seed = model.gas.settings.seed;
-    for (const Species& species : model.gas.species) summary.particles[species.name] = 0;
-    for (const Particle& particle : model.gas.particles) {
-        if (!(particle.tag & particle_tag::gone)) ++summary.particles[model.gas.species[particle_tag::species(particle.tag)].name];
-    }
+    summary.particles = particles_at_start_;
     summary.elements = model.structure.element_count();
     summary.particle_steps = work_.particle_steps;
     summary.element_steps = work_.element_steps;
@@ -272,7 +278,8 @@ void Simulation::write_results(const std::string& status, const std::string& rea
     add_gauges(summary, history, gauges);
     write_summary(folder_.summary(), summary);
     write_report(folder_.path());
-    outputs_->log().line(fmt::format("{} at {:.6e} s after {} steps, {:.1f} s of wall time", status, clock_.time(), clock_.step(), summary.wall_seconds));
+    outputs_->log().line(
+        fmt::format("{} at {:.6e} s after {} steps, {:.1f} s of wall time", status, clock_.time(), clock_.step(), summary.wall_seconds));
 }
 
 RestartContent Simulation::state()

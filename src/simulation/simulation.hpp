@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -21,8 +22,8 @@ enum class Ending { done, interrupted };
 
 /// Where a run stands, for progress lines.
 struct Progress {
-    double time = 0;          ///< [s]
-    double end_time = 0;      ///< [s]
+    double time = 0;      ///< [s]
+    double end_time = 0;  ///< [s]
     std::uint64_t step = 0;
     double duration = 0;      ///< of the last step [s]
     std::string step_set_by;  ///< "gas" or "structure"
@@ -85,11 +86,12 @@ private:
     Work work_;
     Recorder recorder_;
     std::unique_ptr<Outputs> outputs_;
-    FacePassages entered_;  ///< passages of the gas that are in the ledger
+    FacePassages entered_;    ///< passages of the gas that are in the ledger
     double steady_step_ = 0;  ///< kept while it fits [s]
     std::string step_set_by_ = "gas";
-    double wall_before_ = 0;  ///< of the run before it was resumed [s]
-    double cpu_before_ = 0;   ///< [s]
+    std::map<std::string, std::uint64_t> particles_at_start_;  ///< by species
+    double wall_before_ = 0;                                   ///< of the run before it was resumed [s]
+    double cpu_before_ = 0;                                    ///< [s]
     std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
 };
 
