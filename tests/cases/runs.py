@@ -72,7 +72,7 @@ def check_interrupt(folder):
     summary = json.loads((folder / "cut/summary.json").read_text())
     assert summary["status"] == "done" and abs(summary["end_time_s"] - 2e-4) < 1e-12
     execute(folder, "run", "case.toml", "--out", "whole", "--quiet", "--set", "gas.particles=20_000", check=0)
-    assert len(history_rows(folder / "cut")) == len(history_rows(folder / "whole"))
+    assert history_rows(folder / "cut") == history_rows(folder / "whole")  # to the last bit
 
 
 def check_safety(folder):
