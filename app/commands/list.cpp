@@ -3,6 +3,7 @@
 #include "app/commands/commands.hpp"
 #include "app/terminal/table.hpp"
 #include "base/error.hpp"
+#include "gas/sample.hpp"
 #include "input/presets.hpp"
 #include "schema/nearest.hpp"
 #include "structure/fields.hpp"
@@ -27,7 +28,11 @@ void add_fields(TextTable& table, const FieldSet& set)
 void list_fields()
 {
     Structure nothing;
+    const Gas no_gas;
+    const GasGrid no_grid;
     TextTable table({"field", "unit", "on", "meaning"});
+    add_fields(table, particle_fields(no_gas));
+    add_fields(table, fields(no_grid));
     add_fields(table, node_fields(nothing));
     add_fields(table, element_fields(nothing));
     fmt::print("{}", table.text());
