@@ -30,11 +30,11 @@ COLUMN = "center.displacement_z [m]"
 
 
 def first_peak(deflections):
-    """The first peak of a deflection curve: its running maximum when it first falls back by 5 % of it; the maximum if it never does."""
+    """The first peak of a deflection curve: its highest value before it first falls back by half; wiggles on the way do not count."""
     highest = 0.0
     for value in deflections:
         highest = max(highest, value)
-        if highest > 0 and value < 0.95 * highest and highest > 0.2 * max(deflections):
+        if highest > 0.3 * max(deflections) and value < 0.5 * highest:
             break
     return highest
 

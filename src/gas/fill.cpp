@@ -153,8 +153,9 @@ void fill(Gas& gas, const Fill& fill, std::size_t count)
     if (count == 0) return;
     const std::size_t first = gas.particles.size();
     const std::uint64_t seed = gas.settings.seed + 0x9E3779B97F4A7C15u * (first + 1);
-    const Lattice lattice(common_box(fill.shape.bounds(), gas.domain.box),
-                          std::cbrt(volume(fill, gas.domain) / static_cast<double>(count)));
+    const double room = volume(fill, gas.domain);
+    if (!(room > 0)) throw InputError("a fill has particles but no room within the gas box", "move its shape, or what cuts it");
+    const Lattice lattice(common_box(fill.shape.bounds(), gas.domain.box), std::cbrt(room / static_cast<double>(count)));
     std::vector<Vector3d> places = scatter(fill, gas.domain, lattice, seed);
     adjust(places, count, fill, gas.domain, seed);
 

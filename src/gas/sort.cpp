@@ -225,6 +225,7 @@ void cut_all(Gas& gas)
 
 void sort(Gas& gas)
 {
+    if (gas.particles.empty() && gas.cells.keys.empty()) return;
     if (gas.cells.buckets.size() < 2) {
         gas.cells.curve = CellCurve(gas.domain.box);
         sort_from_scratch(gas);
