@@ -24,8 +24,8 @@ struct Field {
     std::string meaning;  ///< one line for the manual
     Scalar scalar = Scalar::float32;
     int components = 1;
-    std::size_t count = 0;                                    ///< things
-    std::function<void(void* values)> gather;                 ///< writes count * components scalars
+    std::size_t count = 0;                                               ///< things
+    std::function<void(void* values)> gather;                            ///< writes count * components scalars
     std::function<void(const void* values, std::size_t count)> restore;  ///< takes them back (and resizes); empty if derived
 };
 
@@ -62,7 +62,14 @@ struct ScalarOf<Vector3<T>> {
 template <class T>
 Field stored_field(std::string name, std::string unit, std::string meaning, std::vector<T>& values)
 {
-    Field field{std::move(name), std::move(unit), std::move(meaning), detail::ScalarOf<T>::scalar, detail::ScalarOf<T>::components, values.size(), {}, {}};
+    Field field{std::move(name),
+                std::move(unit),
+                std::move(meaning),
+                detail::ScalarOf<T>::scalar,
+                detail::ScalarOf<T>::components,
+                values.size(),
+                {},
+                {}};
     field.gather = [&values](void* out) { std::copy(values.begin(), values.end(), static_cast<T*>(out)); };
     field.restore = [&values](const void* in, std::size_t count) {
         const T* first = static_cast<const T*>(in);
@@ -75,7 +82,8 @@ Field stored_field(std::string name, std::string unit, std::string meaning, std:
 template <class T, class Value>
 Field derived_field(std::string name, std::string unit, std::string meaning, std::size_t count, Value value)
 {
-    Field field{std::move(name), std::move(unit), std::move(meaning), detail::ScalarOf<T>::scalar, detail::ScalarOf<T>::components, count, {}, {}};
+    Field field{
+        std::move(name), std::move(unit), std::move(meaning), detail::ScalarOf<T>::scalar, detail::ScalarOf<T>::components, count, {}, {}};
     field.gather = [count, value = std::move(value)](void* out) {
         T* first = static_cast<T*>(out);
         for (std::size_t i = 0; i < count; ++i) first[i] = value(i);

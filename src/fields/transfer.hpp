@@ -11,9 +11,9 @@ namespace corpuscle {
 struct Transfer {
     std::string from;
     std::string to;
-    double mass = 0;       ///< [kg]
-    Vector3d momentum;     ///< [kg m/s]
-    double energy = 0;     ///< [J]
+    double mass = 0;    ///< [kg]
+    Vector3d momentum;  ///< [kg m/s]
+    double energy = 0;  ///< [J]
 };
 
 }  // namespace corpuscle

@@ -21,8 +21,8 @@ struct Box {
     }
     [[nodiscard]] bool overlaps(const Box& b) const
     {
-        return lower.x <= b.upper.x && b.lower.x <= upper.x && lower.y <= b.upper.y && b.lower.y <= upper.y &&
-               lower.z <= b.upper.z && b.lower.z <= upper.z;
+        return lower.x <= b.upper.x && b.lower.x <= upper.x && lower.y <= b.upper.y && b.lower.y <= upper.y && lower.z <= b.upper.z &&
+               b.lower.z <= upper.z;
     }
     void include(const Vector3d& p)
     {

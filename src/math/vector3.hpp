@@ -12,17 +12,28 @@ struct Vector3 {
     constexpr Vector3() = default;
     constexpr Vector3(T x_, T y_, T z_) : x(x_), y(y_), z(z_) {}
     template <class U>
-    constexpr explicit Vector3(const Vector3<U>& other)
-        : x(static_cast<T>(other.x)), y(static_cast<T>(other.y)), z(static_cast<T>(other.z))
+    constexpr explicit Vector3(const Vector3<U>& other) : x(static_cast<T>(other.x)), y(static_cast<T>(other.y)), z(static_cast<T>(other.z))
     {
     }
 
     constexpr T& operator[](int axis) { return axis == 0 ? x : axis == 1 ? y : z; }
     constexpr const T& operator[](int axis) const { return axis == 0 ? x : axis == 1 ? y : z; }
 
-    constexpr Vector3& operator+=(const Vector3& b) { x += b.x, y += b.y, z += b.z; return *this; }
-    constexpr Vector3& operator-=(const Vector3& b) { x -= b.x, y -= b.y, z -= b.z; return *this; }
-    constexpr Vector3& operator*=(T s) { x *= s, y *= s, z *= s; return *this; }
+    constexpr Vector3& operator+=(const Vector3& b)
+    {
+        x += b.x, y += b.y, z += b.z;
+        return *this;
+    }
+    constexpr Vector3& operator-=(const Vector3& b)
+    {
+        x -= b.x, y -= b.y, z -= b.z;
+        return *this;
+    }
+    constexpr Vector3& operator*=(T s)
+    {
+        x *= s, y *= s, z *= s;
+        return *this;
+    }
 
     friend constexpr Vector3 operator+(Vector3 a, const Vector3& b) { return a += b; }
     friend constexpr Vector3 operator-(Vector3 a, const Vector3& b) { return a -= b; }

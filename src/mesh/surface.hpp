@@ -27,10 +27,7 @@ struct NodePath {
     std::span<const Vector3d> start;
     std::span<const Vector3d> end;
 
-    [[nodiscard]] Vector3d at(std::uint32_t node, double fraction) const
-    {
-        return start[node] + fraction * (end[node] - start[node]);
-    }
+    [[nodiscard]] Vector3d at(std::uint32_t node, double fraction) const { return start[node] + fraction * (end[node] - start[node]); }
 };
 
 }  // namespace corpuscle

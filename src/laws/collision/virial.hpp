@@ -42,7 +42,7 @@ Real mean_virial_pressure(const Law& law, Real density, Real kinetic_pressure, R
     constexpr Real probe = Real(0.05);
     const Real slope = (at(Real(1) + probe) - at(Real(1) - probe)) / (2 * probe);
     const Real width = std::min(Real(0.9), std::sqrt(kinetic_pressure / (std::max(Real(0), slope) + kinetic_pressure) / particles));
-    return Real(2) * here - Real(0.5) * (at(Real(1) + width) + at(Real(1) - width));
+    return std::max(Real(0), Real(2) * here - Real(0.5) * (at(Real(1) + width) + at(Real(1) - width)));
 }
 
 }  // namespace corpuscle
