@@ -129,7 +129,12 @@ os._exit(0)
 )",
                                                   folder.path().string()));
     const std::string run = fmt::format("xvfb-run -a -s '-screen 0 1024x768x24' pvpython '{}/check.py'", folder.path().string());
-    EXPECT_EQ(shell(run, folder / "printed", text), 0) << text;
+    int code = shell(run, folder / "printed", text);
+    // A display made on a busy machine is sometimes gone before ParaView opens its window: that says nothing of our files.
+    const auto no_window = [&] { return code != 0 && text.find("CreateAWindow") != std::string::npos; };
+    for (int again = 0; again < 3 && no_window(); ++again) code = shell(run, folder / "printed", text);
+    if (no_window()) GTEST_SKIP() << "ParaView cannot open a window here";
+    EXPECT_EQ(code, 0) << text;
     EXPECT_NE(text.find("['cells', 'empty', 'gas', 'structure'] [0.0, 0.0001, 0.125, 0.5, 2.5] True"), std::string::npos) << text;
     EXPECT_EQ(text.find("Error"), std::string::npos) << text;
     EXPECT_EQ(text.find("ERR|"), std::string::npos) << text;
