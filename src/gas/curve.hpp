@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -57,8 +58,9 @@ private:
 
         [[nodiscard]] std::uint64_t key(float coordinate) const
         {
-            std::int32_t q = static_cast<std::int32_t>((coordinate - lower) * scale);
-            q = q < 0 ? 0 : q > last ? last : q;
+            const float steps = (coordinate - lower) * scale;
+            const float inside = steps > 0 ? std::min(steps, static_cast<float>(last)) : 0.0f;  // 0 for what is no number, too
+            const std::int32_t q = static_cast<std::int32_t>(inside);
             return spread[0][q & 0xFF] | spread[1][q >> 8 & 0xFF] | spread[2][q >> 16 & 0xFF];
         }
     };
