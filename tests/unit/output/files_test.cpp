@@ -10,7 +10,7 @@
 #include "output/checksum.hpp"
 #include "output/log.hpp"
 #include "output/replace_file.hpp"
-#include "scratch_folder.hpp"
+#include "unit/scratch_folder.hpp"
 
 namespace corpuscle {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "base/error.hpp"
 #include "output/replace_file.hpp"
-#include "scratch_folder.hpp"
+#include "unit/scratch_folder.hpp"
 
 namespace corpuscle {
 namespace {

@@ -8,7 +8,7 @@
 #include "output/restart/restart_file.hpp"
 #include "output/restart/restart_folder.hpp"
 #include "output/restart/seal.hpp"
-#include "scratch_folder.hpp"
+#include "unit/scratch_folder.hpp"
 
 namespace corpuscle {
 namespace {

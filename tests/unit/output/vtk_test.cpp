@@ -11,7 +11,7 @@
 #include "output/vtk/points.hpp"
 #include "output/vtk/series.hpp"
 #include "output/vtk/view_script.hpp"
-#include "scratch_folder.hpp"
+#include "unit/scratch_folder.hpp"
 
 namespace corpuscle {
 namespace {

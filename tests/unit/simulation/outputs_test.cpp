@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "output/replace_file.hpp"
-#include "scratch_folder.hpp"
+#include "unit/scratch_folder.hpp"
 
 namespace corpuscle {
 namespace {

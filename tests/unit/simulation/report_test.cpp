@@ -10,11 +10,11 @@
 #include "base/error.hpp"
 #include "output/replace_file.hpp"
 #include "sample_run.hpp"
-#include "scratch_folder.hpp"
 #include "simulation/report_chart.hpp"
 #include "simulation/report_curves.hpp"
 #include "simulation/report_text.hpp"
 #include "simulation/report_units.hpp"
+#include "unit/scratch_folder.hpp"
 
 namespace corpuscle {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "base/error.hpp"
 #include "sample_run.hpp"
-#include "scratch_folder.hpp"
+#include "unit/scratch_folder.hpp"
 
 namespace corpuscle {
 namespace {

@@ -10,8 +10,8 @@
 #include "base/error.hpp"
 #include "output/replace_file.hpp"
 #include "sample_run.hpp"
-#include "scratch_folder.hpp"
 #include "simulation/summary_history.hpp"
+#include "unit/scratch_folder.hpp"
 
 namespace corpuscle {
 namespace {
