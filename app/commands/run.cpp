@@ -37,8 +37,8 @@ void tell_warnings(const CaseSurvey& survey, Log& log, bool quiet)
     }
 }
 
-/// Runs under the eye of the display; a run that stops itself leaves its report too.
-Ending run_watched(Simulation& simulation, const RunFolder& folder, ProgressDisplay& display)
+/// Runs under the eye of the display; the simulation leaves summary and report, also when it stops itself.
+Ending run_watched(Simulation& simulation, ProgressDisplay& display)
 {
     const InterruptWatch watch;
     try {
@@ -47,7 +47,6 @@ Ending run_watched(Simulation& simulation, const RunFolder& folder, ProgressDisp
         return ending;
     } catch (const SafetyStop&) {
         display.finish();
-        write_report(folder.path());
         throw;
     }
 }
@@ -56,14 +55,13 @@ Ending run_watched(Simulation& simulation, const RunFolder& folder, ProgressDisp
 int finish(Simulation& simulation, const RunFolder& folder, const Options& options)
 {
     ProgressDisplay display(options.quiet ? ProgressStyle::none : isatty(STDERR_FILENO) != 0 ? ProgressStyle::bar : ProgressStyle::lines);
-    const Ending ending = run_watched(simulation, folder, display);
-    const std::filesystem::path report = write_report(folder.path());
+    const Ending ending = run_watched(simulation, display);
     if (!options.quiet) fmt::print("{}", results_text(read_summary(folder.summary())));
     if (ending == Ending::interrupted) {
         fmt::print("interrupted, state saved; go on with: corpuscle resume {}\n", folder.path().string());
         return exit_interrupted;
     }
-    fmt::print("results in {}, report {}\n", folder.path().string(), report.string());
+    fmt::print("results in {}, report {}\n", folder.path().string(), folder.report().string());
     return exit_done;
 }
 

@@ -29,6 +29,7 @@ struct Cells {
     std::vector<Cell> cells;          ///< in which partners are drawn
     std::vector<Cell> groups;         ///< larger boxes that hold whole cells: their density gives the virial pressure
     std::vector<Bucket> buckets;      ///< for the next sort; one more ends the last
+    std::size_t sort_bytes = 0;       ///< that the last sort needed besides
 };
 
 /// Cuts sorted keys by halving boxes until none holds more than `limit` (unless keys are equal): the boxes with something in

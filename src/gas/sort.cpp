@@ -12,16 +12,10 @@ namespace {
 
 constexpr std::uint32_t bucket_limit = 1024;
 
-/// A particle on its way to another bucket.
-struct Mover {
-    Particle particle;
-    std::uint64_t key;
-};
-
 /// What a bucket keeps and what comes to it.
 struct Moves {
     std::vector<std::uint32_t> kept;   ///< particles that stay, by bucket
-    std::vector<Mover> movers;         ///< in the order they were found
+    std::vector<Particle> movers;      ///< in the order they were found
     std::vector<std::uint32_t> order;  ///< of the movers by bucket
     std::vector<std::uint32_t> start;  ///< first in `order` of each bucket, and the end
 };
@@ -40,7 +34,7 @@ std::uint32_t bucket_of(const Cells& cells, std::uint64_t key)
 }
 
 /// Closes up one bucket's particles that stay in it, and hands those that leave to `movers`. Returns how many stay.
-std::uint32_t pick_movers(Gas& gas, std::size_t bucket, std::vector<Mover>& movers)
+std::uint32_t pick_movers(Gas& gas, std::size_t bucket, std::vector<Particle>& movers)
 {
     Cells& cells = gas.cells;
     const std::uint64_t lowest = cells.buckets[bucket].start_key, beyond = cells.buckets[bucket + 1].start_key;
@@ -51,7 +45,7 @@ std::uint32_t pick_movers(Gas& gas, std::size_t bucket, std::vector<Mover>& move
         if (particle.tag & particle_tag::gone) continue;
         const std::uint64_t key = cells.curve.key(particle.position);
         if (key < lowest || key >= beyond) {
-            movers.push_back({particle, key});
+            movers.push_back(particle);
             continue;
         }
         if (next != i) gas.particles[next] = particle;
@@ -61,11 +55,11 @@ std::uint32_t pick_movers(Gas& gas, std::size_t bucket, std::vector<Mover>& move
 }
 
 /// Takes newcomers, which stand behind the sorted particles, as movers.
-void pick_newcomers(const Gas& gas, std::vector<Mover>& movers)
+void pick_newcomers(const Gas& gas, std::vector<Particle>& movers)
 {
     for (std::size_t i = gas.cells.buckets.back().first; i < gas.particles.size(); ++i) {
         const Particle& particle = gas.particles[i];
-        if (!(particle.tag & particle_tag::gone)) movers.push_back({particle, gas.cells.curve.key(particle.position)});
+        if (!(particle.tag & particle_tag::gone)) movers.push_back(particle);
     }
 }
 
@@ -76,18 +70,22 @@ Moves find_moves(Gas& gas)
     const std::size_t buckets = bucket_count(gas.cells);
     moves.kept.resize(buckets);
     const std::size_t parts = part_count(buckets, 8);
-    std::vector<std::vector<Mover>> found(parts);
+    std::vector<std::vector<Particle>> found(parts);
     for_each_part(buckets, parts, [&](std::size_t part, std::size_t begin, std::size_t end) {
         for (std::size_t b = begin; b < end; ++b) moves.kept[b] = pick_movers(gas, b, found[part]);
     });
     pick_newcomers(gas, found.back());
 
+    std::size_t held = 0;
+    for (const auto& list : found) held += list.capacity() * sizeof(Particle);
     moves.movers = std::move(found[0]);
     for (std::size_t part = 1; part < parts; ++part) moves.movers.insert(moves.movers.end(), found[part].begin(), found[part].end());
     moves.order.resize(moves.movers.size());
     moves.start = stable_counting_sort(
-        moves.movers.size(), buckets, [&](std::size_t i) { return bucket_of(gas.cells, moves.movers[i].key); },
+        moves.movers.size(), buckets, [&](std::size_t i) { return bucket_of(gas.cells, gas.cells.curve.key(moves.movers[i].position)); },
         [&](std::size_t i, std::uint32_t position) { moves.order[position] = static_cast<std::uint32_t>(i); });
+    gas.cells.sort_bytes = held + (parts > 1 ? moves.movers.capacity() * sizeof(Particle) : 0) +
+                           (moves.kept.size() + moves.order.size() + moves.start.size()) * sizeof(std::uint32_t);
     return moves;
 }
 
@@ -173,9 +171,9 @@ void settle(Gas& gas, const Moves& moves, const std::vector<std::uint32_t>& firs
         thread_local Scratch scratch;
         std::uint32_t next = first[b] + moves.kept[b];
         for (std::uint32_t k = moves.start[b]; k < moves.start[b + 1]; ++k, ++next) {
-            const Mover& mover = moves.movers[moves.order[k]];
-            gas.particles[next] = mover.particle;
-            gas.cells.keys[next] = mover.key;
+            const Particle& mover = moves.movers[moves.order[k]];
+            gas.particles[next] = mover;
+            gas.cells.keys[next] = gas.cells.curve.key(mover.position);
         }
         sort_run(gas, first[b], next, scratch);
     });

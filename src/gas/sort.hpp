@@ -10,7 +10,7 @@ namespace corpuscle {
 /// and its part of the movers. The order does not depend on the number of threads.
 void sort(Gas& gas);
 
-/// Bytes that the particles, their keys, cells and what the last sort needed take in memory.
+/// Bytes that the particles, their keys and cells take in memory; what the last sort needed besides is in `gas.cells.sort_bytes`.
 [[nodiscard]] std::size_t resident_bytes(const Gas& gas);
 
 }  // namespace corpuscle

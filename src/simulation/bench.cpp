@@ -125,7 +125,8 @@ private:
             add("gas: " + name, seconds, work);
             whole += seconds;
         }
-        add("gas: whole step", whole, work, static_cast<double>(resident_bytes(gas)) / static_cast<double>(settings_.particles));
+        add("gas: whole step", whole, work,
+            static_cast<double>(resident_bytes(gas) + gas.cells.sort_bytes) / static_cast<double>(settings_.particles));
         collisions_ = static_cast<double>(gas.collisions - before) / work;
         lines_.back().name = "gas: whole step (" + std::to_string(collisions_).substr(0, 4) + " pairs a particle)";
     }

@@ -160,6 +160,8 @@ TEST(Sort, keeps_memory_small)
     const Gas gas = stirred(3, 2, false);
     const auto count = static_cast<double>(gas.cells.keys.size());
     EXPECT_LT(static_cast<double>(resident_bytes(gas)) / count, 32 + 8 + 8 / 8.0 + 8 / 32.0 + 16 / 512.0 + 1);
+    EXPECT_GT(gas.cells.sort_bytes, 0u);
+    EXPECT_LT(static_cast<double>(resident_bytes(gas) + gas.cells.sort_bytes) / count, 64);  // two bare copies of the state
 }
 
 }  // namespace
