@@ -3,7 +3,7 @@
 #   make demo       installs what is missing, builds, runs the plate of examples/01_plate, says where its report is
 #   make test       installs what is missing, builds, runs every test and every check of the house
 #   make build      the program alone: build/release/app/corpuscle
-#   make validate   the runs behind the tables of docs/validation.md (long)
+#   make validate   the runs behind the tables of docs/validation.md (long); TOPICS="plate" for one of tools/validation
 #   make bench      what is timed
 #   make lint       the checks of the house alone: floors, layout, clang-tidy, sanitizers
 #   make format     lays every source out as .clang-format says
@@ -42,8 +42,8 @@ tests: configured
 test: tests
 	ctest --test-dir $(BUILD) -j $(JOBS) --output-on-failure --no-tests=error
 
-validate: build
-	tools/validate.py $(CORPUSCLE)
+validate: tests
+	tools/validate.py $(BUILD) $(TOPICS)
 
 bench: build
 	$(CORPUSCLE) bench
