@@ -18,7 +18,7 @@ FLOORS = [
     ["parallel"],
     ["fields", "laws"],
     ["mesh"],
-    ["gas", "structure", "output"],
+    ["gas", "structure", "output", "radial"],
     ["contact"],
     ["model"],
     ["input", "simulation"],
