@@ -34,6 +34,7 @@ struct Flight {
     int face = -1;        ///< face of the domain met
     double met_at = 1;    ///< fraction of the leg
     int meetings = 0;
+    Vector3d given;  ///< impulse to facets in this step [N s]
 };
 
 /// The geometry of flights: knows facets and the domain, but neither impulses nor masses. Every stored position is a float that

@@ -16,7 +16,12 @@ constexpr std::size_t grain = 128;  ///< flights handed to a thread at a time
 }  // namespace
 
 GasStructureContact::GasStructureContact(Gas& gas, Structure& structure)
-    : gas_(gas), structure_(structure), tree_(structure.surface), facet_impulse_(tree_.size()), facet_hits_(tree_.size())
+    : gas_(gas),
+      structure_(structure),
+      tree_(structure.surface),
+      facet_impulse_(tree_.size()),
+      facet_squares_(tree_.size()),
+      facet_hits_(tree_.size())
 {
 }
 
@@ -98,7 +103,7 @@ double GasStructureContact::effective_inverse_mass(const Flight& flight) const
 
 /// Elastic bounce: J = 2 closing / (1/m + 1/M) along the normal. What the particle's rounded velocity has really lost goes to the
 /// nodes by the facet's weights, so no momentum is lost to rounding.
-void GasStructureContact::bounce(const Flight& flight, double closing, Transfer& given)
+void GasStructureContact::bounce(Flight& flight, double closing, Transfer& given)
 {
     Particle& particle = gas_.particles[flight.particle];
     const double mass = gas_.species[particle_tag::species(particle.tag)].particle_mass;
@@ -110,6 +115,8 @@ void GasStructureContact::bounce(const Flight& flight, double closing, Transfer&
     const std::array<std::uint32_t, 3>& node = tree_.nodes(flight.hit.facet);
     for (int i = 0; i < 3; ++i) structure_.nodes.impulse[node[i]] += flight.hit.weight[i] * impulse;
     facet_impulse_[flight.hit.facet] += impulse;
+    facet_squares_[flight.hit.facet] += scaled(impulse, impulse + 2 * flight.given);
+    flight.given += impulse;
     ++facet_hits_[flight.hit.facet];
     given.momentum += impulse;
     given.energy += 0.5 * dot(impulse, before + after);
@@ -120,6 +127,7 @@ FieldSet GasStructureContact::state()
     FieldSet set = tree_.state();
     set.name = name();
     set.fields.push_back(stored_field("facet_impulse", "N s", "impulse of gas on each facet since the start", facet_impulse_));
+    set.fields.push_back(stored_field("facet_squares", "N2 s2", "squared impulses of gas on each facet since the start", facet_squares_));
     set.fields.push_back(stored_field("facet_hits", "1", "particles that have hit each facet since the start", facet_hits_));
     return set;
 }

@@ -34,6 +34,9 @@ public:
     /// Impulse each facet has got since the start, from both sides together [N s], and how many hits.
     [[nodiscard]] const std::vector<Vector3d>& facet_impulse() const override { return facet_impulse_; }
     [[nodiscard]] const std::vector<std::uint64_t>& facet_hits() const { return facet_hits_; }
+    /// Sum of the squared impulses, by component, that particles have given to each facet; what a particle gives in one step counts as
+    /// one. Hits come like rain (Poisson), so this is the variance of the impulse [N2 s2].
+    [[nodiscard]] const std::vector<Vector3d>& facet_squares() const { return facet_squares_; }
     /// Particles that were squeezed where no free place was left since this was made: 0 in a sound run.
     [[nodiscard]] std::uint64_t trapped() const { return trapped_; }
 
@@ -45,13 +48,14 @@ private:
     void meet_facet(Flight& flight, const FlightPath& path, Transfer& given);
     [[nodiscard]] double closing_velocity(const Flight& flight) const;
     [[nodiscard]] double effective_inverse_mass(const Flight& flight) const;
-    void bounce(const Flight& flight, double closing, Transfer& given);
+    void bounce(Flight& flight, double closing, Transfer& given);
 
     Gas& gas_;
     Structure& structure_;
     FacetTree tree_;
     std::vector<Flight> flights_;
     std::vector<Vector3d> facet_impulse_;  ///< [N s]
+    std::vector<Vector3d> facet_squares_;  ///< [N2 s2]
     std::vector<std::uint64_t> facet_hits_;
     std::uint64_t trapped_ = 0;
 };

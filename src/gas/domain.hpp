@@ -34,10 +34,14 @@ inline constexpr int face_count = 6;
 
 struct FacePassages {
     std::array<Passage, face_count> face{};
+    std::array<double, face_count> squares{};  ///< sum of the squared impulses of bounces, for the noise of their sum [N2 s2]
 
     FacePassages& operator+=(const FacePassages& other)
     {
-        for (int f = 0; f < face_count; ++f) face[f] += other.face[f];
+        for (int f = 0; f < face_count; ++f) {
+            face[f] += other.face[f];
+            squares[f] += other.squares[f];
+        }
         return *this;
     }
 };

@@ -27,6 +27,7 @@ inline bool meet_face(const Gas& gas, Particle& particle, int face, FacePassages
     bounce.momentum[axis] = 2 * mass * static_cast<double>(particle.velocity[axis]);
     particle.velocity[axis] = -particle.velocity[axis];
     passages.face[face] += bounce;
+    passages.squares[face] += bounce.momentum[axis] * bounce.momentum[axis];
     return true;
 }
 

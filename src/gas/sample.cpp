@@ -1,5 +1,8 @@
 #include "gas/sample.hpp"
 
+#include <cmath>
+#include <limits>
+
 #include "parallel/sort.hpp"
 
 namespace corpuscle {
@@ -76,19 +79,123 @@ GasSample evaluate(const Gas& gas, const Moments& moments, double volume)
 
 }  // namespace
 
-GasSample sample(const Gas& gas, const Shape& shape, double volume)
+namespace {
+
+/// Particles of a chunk that lie in a region, in their order.
+struct Found {
+    std::vector<std::uint32_t> particles;
+
+    Found& operator+=(const Found& other)
+    {
+        particles.insert(particles.end(), other.particles.begin(), other.particles.end());
+        return *this;
+    }
+};
+
+std::vector<std::uint32_t> find(const Gas& gas, const Shape& shape)
 {
     const Box bounds = shape.bounds();
-    const Moments moments = sum_chunks<Moments>(gas.particles.size(), [&](std::size_t begin, std::size_t end) {
-        Moments part(gas.species.size());
+    const auto in_chunk = [&](std::size_t begin, std::size_t end) {
+        Found found;
         for (std::size_t i = begin; i < end; ++i) {
-            const Particle& particle = gas.particles[i];
-            const Vector3d place(particle.position);
-            if (is_gas(particle) && bounds.contains(place) && shape.contains(place)) part.add(particle);
+            const Vector3d place(gas.particles[i].position);
+            if (is_gas(gas.particles[i]) && bounds.contains(place) && shape.contains(place))
+                found.particles.push_back(static_cast<std::uint32_t>(i));
         }
-        return part;
-    });
-    return evaluate(gas, moments, volume);
+        return found;
+    };
+    return sum_chunks<Found>(gas.particles.size(), in_chunk).particles;
+}
+
+constexpr double gas_constant = 8.31446261815324;  // [J/(mol K)], CODATA 2018
+
+/// What one particle of a species adds to a sample: its mass to the density, its amount of substance to the temperature, and to the
+/// pressure, by the law's slopes at the species' own state, shares of both its mass and its motion.
+struct SpeciesShares {
+    double mass = 0;        ///< of a particle [kg]
+    double amount = 0;      ///< of substance of a particle [mol]
+    double by_density = 0;  ///< d(virial pressure)/d(density) [m2/s2]
+    double by_kinetic = 1;  ///< 1 + d(virial pressure)/d(kinetic pressure)
+};
+
+/// Central differences of the law over a thousandth of the state.
+SpeciesShares shares_of(const Species& species, double density, double kinetic)
+{
+    constexpr double step = 1e-3;
+    SpeciesShares shares{species.particle_mass, species.molar_mass > 0 ? species.particle_mass / species.molar_mass : 0, 0, 1};
+    const auto virial = [&](double d, double k) { return virial_pressure(species.law, d, k); };
+    if (density > 0)
+        shares.by_density = (virial(density * (1 + step), kinetic) - virial(density * (1 - step), kinetic)) / (2 * step * density);
+    if (kinetic > 0)
+        shares.by_kinetic += (virial(density, kinetic * (1 + step)) - virial(density, kinetic * (1 - step))) / (2 * step * kinetic);
+    return shares;
+}
+
+/// Shares of each species at its own density and kinetic pressure in the region.
+std::vector<SpeciesShares> shares_of(const Gas& gas, const std::vector<std::uint32_t>& inside, const Vector3d& velocity, double volume)
+{
+    std::vector<double> density(gas.species.size()), kinetic(gas.species.size());
+    for (const std::uint32_t i : inside) {
+        const std::uint32_t s = particle_tag::species(gas.particles[i].tag);
+        const double mass = gas.species[s].particle_mass;
+        density[s] += mass / volume;
+        kinetic[s] += mass * norm_squared(Vector3d(gas.particles[i].velocity) - velocity) / (3 * volume);
+    }
+    std::vector<SpeciesShares> shares;
+    for (std::size_t s = 0; s < gas.species.size(); ++s) shares.push_back(shares_of(gas.species[s], density[s], kinetic[s]));
+    return shares;
+}
+
+/// T = sum(m c^2/3)/(R sum of amounts); nothing where an amount is not known.
+double temperature_of(const Gas& gas, const std::vector<std::uint32_t>& inside, const std::vector<SpeciesShares>& shares, double energy)
+{
+    double amount = 0;
+    for (const std::uint32_t i : inside) {
+        const SpeciesShares& own = shares[particle_tag::species(gas.particles[i].tag)];
+        if (!(own.amount > 0)) return std::numeric_limits<double>::quiet_NaN();
+        amount += own.amount;
+    }
+    return energy / (gas_constant * amount);
+}
+
+/// Adds each particle's squared share of every sum; of a ratio (velocity, temperature) the share of what is left of it.
+void add_errors(const Gas& gas, const std::vector<std::uint32_t>& inside, double volume, GasSample& result)
+{
+    const std::vector<SpeciesShares> shares = shares_of(gas, inside, result.velocity, volume);
+    result.temperature = temperature_of(gas, inside, shares, result.kinetic_pressure * volume);
+    double density = 0, kinetic = 0, pressure = 0, heat = 0, amount = 0;
+    Vector3d velocity;
+    for (const std::uint32_t i : inside) {
+        const SpeciesShares& own = shares[particle_tag::species(gas.particles[i].tag)];
+        const Vector3d relative = Vector3d(gas.particles[i].velocity) - result.velocity;
+        const double motion = own.mass * norm_squared(relative) / 3;
+        density += own.mass * own.mass;
+        velocity += own.mass * own.mass * scaled(relative, relative);
+        kinetic += motion * motion;
+        const double pushed = own.by_kinetic * motion + own.by_density * own.mass;
+        pressure += pushed * pushed;
+        const double excess = motion - gas_constant * own.amount * result.temperature;
+        heat += excess * excess;
+        amount += gas_constant * own.amount;
+    }
+    const double mass = result.density * volume;
+    result.error.density = std::sqrt(density) / volume;
+    for (int axis = 0; axis < 3; ++axis) result.error.velocity[axis] = std::sqrt(velocity[axis]) / mass;
+    result.error.kinetic_pressure = std::sqrt(kinetic) / volume;
+    result.error.pressure = std::sqrt(pressure) / volume;
+    result.error.temperature = std::sqrt(heat) / amount;
+}
+
+}  // namespace
+
+GasSample sample(const Gas& gas, const Shape& shape, double volume)
+{
+    const std::vector<std::uint32_t> inside = find(gas, shape);
+    Moments moments(gas.species.size());
+    for (const std::uint32_t i : inside) moments.add(gas.particles[i]);
+    GasSample result = evaluate(gas, moments, volume);
+    if (!inside.empty()) add_errors(gas, inside, volume, result);
+    return result;
 }
 
 GasGrid average(const Gas& gas, double cell_size)
@@ -219,6 +326,8 @@ FieldSet state(Gas& gas)
         array_field("inflow_debt", "1", "particles owed by ambient edges", gas.inflow_debt.data(), gas.inflow_debt.size()));
     set.fields.push_back(
         array_field("passages", "SI", "mass, momentum and energy given to each face", &gas.passages.face[0].mass, 5 * face_count));
+    set.fields.push_back(
+        array_field("passage_squares", "N2 s2", "squared impulses of bounces off each face", gas.passages.squares.data(), face_count));
     const Field tags = set.fields[3];
     set.fields[3].restore = [&gas, tags](const void* values, std::size_t count) {
         tags.restore(values, count);

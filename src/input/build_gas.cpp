@@ -51,6 +51,7 @@ void add_background(GasPlan& plan, const GasInput& input)
         const GasState state = usual_state(*input.fill->values);
         Fill fill{Shape::box(plan.gas.domain.box), {}, 0, state.density, state.energy_per_mass, {}, -1};
         fill.species = species_index(plan.gas, species_name(input.fill->values->name, "gas", 0), state.law);
+        plan.gas.species[fill.species].molar_mass = input.fill->values->molar_mass.value_or(0);
         const double gamma = heat_capacity_ratio(state.law);
         plan.gas.ambient = {fill.species, state.density, state.pressure, (gamma - 1) * state.energy_per_mass};
         plan.fills.push_back(std::move(fill));
@@ -66,6 +67,7 @@ void add_fills(GasPlan& plan, const CaseDescription& description)
             const Shape shape = make_shape(input.shape, description);
             Fill fill{shape, {}, 0, state.density, state.energy_per_mass, input.velocity, -1};
             fill.species = species_index(plan.gas, species_name(input.gas.values->name, "gas", i + 1), state.law);
+            plan.gas.species[fill.species].molar_mass = input.gas.values->molar_mass.value_or(0);
             if (!(shape.volume_within(plan.gas.domain.box) > 0))
                 throw InputError("the fill lies outside the gas box", "expected some of it within", input.places.of("shape"));
             for (Fill& earlier : plan.fills) earlier.cut_by.push_back(shape);

@@ -16,19 +16,6 @@ namespace corpuscle {
 
 namespace {
 
-/// Half the cross product of a facet's edges, where its nodes are now [m2].
-Vector3d area_vector(const Structure& structure, const Facet& facet)
-{
-    const std::vector<Vector3d>& at = structure.nodes.position;
-    return 0.5 * cross(at[facet.node[1]] - at[facet.node[0]], at[facet.node[2]] - at[facet.node[0]]);
-}
-
-double face_area(const Domain& domain, int face)
-{
-    const Vector3d size = domain.box.size();
-    return size[(face / 2 + 1) % 3] * size[(face / 2 + 2) % 3];
-}
-
 constexpr std::array<const char*, 3> axis_names{"x", "y", "z"};
 
 /// Columns "<owner>.<quantity>_x" and so on.
@@ -39,16 +26,13 @@ void add_vector_columns(HistorySource& source, const std::string& owner, const s
 
 }  // namespace
 
-Recorder::Recorder(Model& model)
-    : model_(model), seen_impulse_(model.gauges.size()), seen_time_(model.gauges.size()), seen_pressure_(2 * model.gauges.size())
-{
-}
+Recorder::Recorder(Model& model) : model_(model), gauges_(model) {}
 
 OutputPlan Recorder::plan(const Clock& clock)
 {
     OutputPlan plan;
     for (const Probe& probe : model_.probes) add_probe(plan, probe);
-    for (std::size_t g = 0; g < model_.gauges.size(); ++g) add_gauge(plan, g, clock);
+    gauges_.add_to(plan, clock);
     add_energies(plan);
     if (model_.output.fields_every > 0) add_files(plan);
     plan.end_time = model_.end_time;
@@ -71,82 +55,6 @@ void Recorder::add_probe(OutputPlan& plan, const Probe& probe) const
         if (probe.velocity) put(nodes.contact_velocity(probe.node));
     };
     plan.history.push_back(std::move(source));
-}
-
-/// Every gauge shows pressure and specific impulse; one in the gas also its density, velocity and number of particles.
-void Recorder::add_gauge(OutputPlan& plan, std::size_t index, const Clock& clock)
-{
-    const Gauge& gauge = model_.gauges[index];
-    HistorySource source;
-    source.every = gauge.every;
-    source.columns = {{gauge.name + ".pressure", "Pa"}, {gauge.name + ".impulse", "Pa s"}};
-    if (const auto* part = std::get_if<PartGauge>(&gauge.place)) {
-        source.sample = [this, index, &clock, part](std::span<double> values) {
-            sample_pressure(index, part_impulse(part->part) / part_area(part->part), clock.end(), values);
-        };
-    } else if (const auto* face = std::get_if<FaceGauge>(&gauge.place)) {
-        source.sample = [this, index, &clock, face](std::span<double> values) {
-            const double outward = face->face % 2 == 0 ? -1 : 1;
-            const double given = outward * model_.gas.passages.face[face->face].momentum[face->face / 2];
-            sample_pressure(index, given / face_area(model_.gas.domain, face->face), clock.end(), values);
-        };
-    } else {
-        source.columns.push_back({gauge.name + ".density", "kg/m3"});
-        add_vector_columns(source, gauge.name, "velocity", "m/s");
-        source.columns.push_back({gauge.name + ".particles", "1"});
-        source.sample = [this, index, &clock](std::span<double> values) { sample_region(index, clock.end(), values); };
-    }
-    plan.history.push_back(std::move(source));
-}
-
-/// Mean pressure since the last sample, from the specific impulse so far.
-void Recorder::sample_pressure(std::size_t index, double impulse, double time, std::span<double> values)
-{
-    const double passed = time - seen_time_[index];
-    values[0] = passed > 0 ? (impulse - seen_impulse_[index]) / passed : 0.0;
-    values[1] = impulse;
-    seen_impulse_[index] = impulse;
-    seen_time_[index] = time;
-}
-
-/// State of the gas in a region; its impulse is that of the pressure above the one at the start.
-void Recorder::sample_region(std::size_t index, double time, std::span<double> values)
-{
-    const RegionGauge& region = std::get<RegionGauge>(model_.gauges[index].place);
-    const GasSample gas = sample(model_.gas, region.shape, region.volume);
-    double& initial = seen_pressure_[2 * index];
-    double& last = seen_pressure_[2 * index + 1];
-    if (time == 0) initial = last = gas.pressure;
-    seen_impulse_[index] += (0.5 * (last + gas.pressure) - initial) * (time - seen_time_[index]);
-    seen_time_[index] = time;
-    last = gas.pressure;
-    const std::array<double, 7> shown{gas.pressure,
-                                      seen_impulse_[index],
-                                      gas.density,
-                                      gas.velocity.x,
-                                      gas.velocity.y,
-                                      gas.velocity.z,
-                                      static_cast<double>(gas.particles)};
-    std::copy(shown.begin(), shown.end(), values.begin());
-}
-
-/// Impulse on a part against its facets' normals [N s].
-double Recorder::part_impulse(std::uint32_t part) const
-{
-    const std::vector<Facet>& facets = model_.structure.surface.facets;
-    return sum<double>(facets.size(), [&](std::size_t f) {
-        if (facets[f].part != part) return 0.0;
-        Vector3d impulse = model_.gas_structure.facet_impulse()[f];
-        for (const auto& load : model_.loads) impulse += load->facet_impulse()[f];
-        return -dot(impulse, normalized(area_vector(model_.structure, facets[f])));
-    });
-}
-
-double Recorder::part_area(std::uint32_t part) const
-{
-    const std::vector<Facet>& facets = model_.structure.surface.facets;
-    return sum<double>(facets.size(),
-                       [&](std::size_t f) { return facets[f].part == part ? norm(area_vector(model_.structure, facets[f])) : 0.0; });
 }
 
 void Recorder::add_energies(OutputPlan& plan) const
@@ -224,15 +132,6 @@ void Recorder::add_files(OutputPlan& plan) const
         plan.fields.push_back(
             {"structure", settings.fields_every, [this, options](const auto& path) { write_structure(model_.structure, options, path); }});
     }
-}
-
-FieldSet Recorder::state()
-{
-    if (model_.gauges.empty()) return {"gauges", {}};
-    return {"gauges",
-            {stored_field("impulse", "Pa s", "specific impulse at the last sample", seen_impulse_),
-             stored_field("time", "s", "time of the last sample", seen_time_),
-             stored_field("pressure", "Pa", "pressure at the start and at the last sample", seen_pressure_)}};
 }
 
 std::vector<Verdict> Recorder::verdicts() const

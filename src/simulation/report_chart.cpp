@@ -111,6 +111,25 @@ std::string paths(const std::vector<Points>& curves, const Axis& x, const Axis& 
     return text;
 }
 
+/// The curves' bands: along their upper ends and back along the lower ones.
+std::string bands(const Chart& chart, const Axis& x, const Axis& y)
+{
+    std::string text;
+    for (std::size_t i = 0; i < chart.curves.size(); ++i) {
+        const Curve& curve = chart.curves[i];
+        if (curve.band.low.empty()) continue;
+        Points ends = thinned({"", curve.x, curve.band.high, {}}, point_limit);
+        const Points low = thinned({"", curve.x, curve.band.low, {}}, point_limit);
+        ends.insert(ends.end(), low.rbegin(), low.rend());
+        std::string path;
+        for (const auto& [px, py] : ends)
+            fmt::format_to(std::back_inserter(path), "{}{:.1f} {:.1f}", path.empty() ? 'M' : 'L', x.place(px / x.shown.factor),
+                           y.place(py / y.shown.factor));
+        if (!path.empty()) text += fmt::format("<path class=\"band c{}\" d=\"{}Z\"/>", i % colors, path);
+    }
+    return text;
+}
+
 std::string reference_lines(const Chart& chart, const Axis& y)
 {
     std::string text;
@@ -211,6 +230,8 @@ std::string drawn(const Chart& chart)
             widen(x_range, px);
             widen(y_range, py);
         }
+        for (const double end : curve.band.low) widen(y_range, end);
+        for (const double end : curve.band.high) widen(y_range, end);
     }
     for (const ReferenceLine& reference : chart.references) widen(y_range, reference.value);
     if (x_range.first > x_range.second) x_range = {0, 0};
@@ -224,7 +245,8 @@ std::string drawn(const Chart& chart)
         "<text class=\"axis\" x=\"{9}\" y=\"{10}\" text-anchor=\"middle\">{5}</text><g class=\"pointer\"></g></svg>"
         "<div class=\"tip\" hidden></div><script type=\"application/json\">{11}</script></figure>\n",
         escaped(chart.title), escaped(axis_title("", y.shown)), legend(chart), width, height, escaped(axis_title(chart.x_name, x.shown)),
-        grid(x, y), reference_lines(chart, y), paths(curves, x, y), (left + right) / 2, height - 6, points_json(chart, curves, x, y));
+        grid(x, y), reference_lines(chart, y), bands(chart, x, y) + paths(curves, x, y), (left + right) / 2, height - 6,
+        points_json(chart, curves, x, y));
 }
 
 }  // namespace corpuscle

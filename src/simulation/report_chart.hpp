@@ -6,11 +6,18 @@
 
 namespace corpuscle {
 
+/// Ends of a band around a curve; empty: no band.
+struct Band {
+    std::vector<double> low;
+    std::vector<double> high;
+};
+
 /// One curve of a chart, in SI.
 struct Curve {
     std::string label;
     std::vector<double> x;  ///< growing
     std::vector<double> y;  ///< as long as x; points that are not finite are left out
+    Band band = {};         ///< as long as x, if there is one
 };
 
 /// A value to compare with, drawn as a dashed line.

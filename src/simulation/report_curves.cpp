@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -16,6 +17,7 @@ namespace {
 
 constexpr double negligible = 1e-3;   ///< of the greatest value, for a component
 constexpr double small_share = 0.05;  ///< of the greatest value, for an energy
+constexpr double sigmas = 1.959964;   ///< of a normal law that hold 95 % of it
 constexpr std::array<std::string_view, 5> order{"displacement", "energy", "pressure", "impulse", "velocity"};
 
 /// Columns that share a chart.
@@ -36,10 +38,21 @@ std::size_t rank(const Group& group)
     return static_cast<std::size_t>(std::find(order.begin(), order.end(), group.quantity) - order.begin());
 }
 
+/// Columns that only say how sure another is: they belong to its curve.
+std::set<std::string> companions_in(const HistoryTable& history)
+{
+    std::set<std::string> names;
+    for (const HistoryColumn& column : history.columns)
+        for (const char* kind : {"error", "deviation", "low", "high"}) names.insert(companion(column.name, kind));
+    return names;
+}
+
 std::vector<Group> groups_of(const HistoryTable& history)
 {
     std::vector<Group> groups;
+    const std::set<std::string> companions = companions_in(history);
     for (std::size_t i = 0; i < history.columns.size(); ++i) {
+        if (companions.contains(history.columns[i].name)) continue;
         const std::string quantity = group_quantity(history.columns[i]);
         const std::string& unit = history.columns[i].unit;
         auto found = std::find_if(groups.begin(), groups.end(),
@@ -71,6 +84,25 @@ std::string curve_label(const std::string& column)
     return name.component.empty() ? owner : owner + " " + name.component;
 }
 
+/// A history's column as a curve, with its band if the history knows one.
+Curve curve_of(const HistoryTable& history, std::size_t column)
+{
+    const std::string& name = history.columns[column].name;
+    Curve curve{curve_label(name), history.times, history.values[column], {}};
+    const std::vector<double>*low = history.find(companion(name, "low")), *high = history.find(companion(name, "high"));
+    const std::vector<double>* error = history.find(companion(name, "error"));
+    if (low != nullptr && high != nullptr) {
+        curve.band = {*low, *high};
+    } else if (error != nullptr) {
+        for (std::size_t i = 0; i < curve.y.size(); ++i) {
+            curve.band.low.push_back(curve.y[i] - sigmas * (*error)[i]);
+            curve.band.high.push_back(curve.y[i] + sigmas * (*error)[i]);
+        }
+    }
+    if (!curve.band.low.empty()) curve.label += " (band: 95 %)";
+    return curve;
+}
+
 Chart chart_of(const Group& group, const HistoryTable& history, const std::vector<ReferenceValue>& references)
 {
     Chart chart{capitalized(spaced(group.quantity)), "time", "s", spaced(group.quantity), group.unit, {}, {}};
@@ -83,7 +115,7 @@ Chart chart_of(const Group& group, const HistoryTable& history, const std::vecto
             if (reference.column == column) chart.references.push_back({reference.value, reference.label});
         }
         if (component && size > 0 && greatest(history.values[i]) < negligible * size) continue;
-        chart.curves.push_back({curve_label(column), history.times, history.values[i]});
+        chart.curves.push_back(curve_of(history, i));
     }
     return chart;
 }

@@ -138,9 +138,10 @@ std::string gauge_table(const RunSummary& summary)
 {
     std::vector<Row> rows;
     for (const auto& [name, gauge] : summary.gauges) {
-        rows.push_back({name, shown_value(gauge.peak_pressure, "Pa"), shown_value(gauge.impulse, "Pa s"), shown_value(gauge.arrival, "s")});
+        rows.push_back({name, shown_value(gauge.peak_pressure, "Pa"), shown_value(gauge.peak_pressure_error, "Pa"),
+                        shown_value(gauge.impulse, "Pa s"), shown_value(gauge.impulse_error, "Pa s"), shown_value(gauge.arrival, "s")});
     }
-    return table("Gauges", {"", "peak pressure", "impulse", "arrival"}, rows);
+    return table("Gauges", {"", "peak pressure", "standard error", "impulse", "standard error", "arrival"}, rows);
 }
 
 std::string part_table(const RunSummary& summary)

@@ -35,6 +35,7 @@ svg{display:block;width:100%;height:auto;touch-action:pan-y}
 .grid path{stroke:var(--line);fill:none}.grid .zero{stroke:var(--soft)}
 .ticks text,.axis,.reference text{font-size:13px;fill:var(--soft);font-variant-numeric:tabular-nums}
 .curve{fill:none;stroke-width:2;stroke-linejoin:round;stroke-linecap:round}
+.band{fill:var(--c);fill-opacity:.18;stroke:none}
 .dashed.curve{stroke-dasharray:6 4}
 .reference path{stroke:var(--ink);stroke-width:1.4;stroke-dasharray:7 5;fill:none}.reference text{fill:var(--ink)}
 .c0{--c:var(--c0)}.c1{--c:var(--c1)}.c2{--c:var(--c2)}.c3{--c:var(--c3)}.c4{--c:var(--c4)}.c5{--c:var(--c5)}.c6{--c:var(--c6)}.c7{--c:var(--c7)}

@@ -102,7 +102,11 @@ Json gauges_of(const RunSummary& summary)
 {
     Json gauges = Json::object();
     for (const auto& [name, gauge] : summary.gauges) {
-        gauges[name] = {{"peak_pressure_pa", gauge.peak_pressure}, {"impulse_pa_s", gauge.impulse}, {"arrival_s", gauge.arrival}};
+        gauges[name] = {{"peak_pressure_pa", gauge.peak_pressure},
+                        {"impulse_pa_s", gauge.impulse},
+                        {"arrival_s", gauge.arrival},
+                        {"peak_pressure_error_pa", gauge.peak_pressure_error},
+                        {"impulse_error_pa_s", gauge.impulse_error}};
     }
     return gauges;
 }
@@ -180,7 +184,8 @@ void read_bodies(const Json& json, RunSummary& summary)
         }
     }
     for (const auto& [name, gauge] : json.at("gauges").items()) {
-        summary.gauges[name] = {number(gauge.at("peak_pressure_pa")), number(gauge.at("impulse_pa_s")), number(gauge.at("arrival_s"))};
+        summary.gauges[name] = {number(gauge.at("peak_pressure_pa")), number(gauge.at("impulse_pa_s")), number(gauge.at("arrival_s")),
+                                number(gauge.value("peak_pressure_error_pa", Json())), number(gauge.value("impulse_error_pa_s", Json()))};
     }
     for (const auto& [name, part] : json.at("parts").items()) {
         summary.parts[name] = {vector_of(part.at("impulse_n_s")), number(part.at("max_plastic_strain")),

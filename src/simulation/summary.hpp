@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -25,9 +26,11 @@ struct ProbeSummary {
 
 /// What a gauge saw.
 struct GaugeSummary {
-    double peak_pressure = 0;  ///< [Pa]
-    double impulse = 0;        ///< greatest specific impulse [Pa s]
-    double arrival = 0;        ///< [s], not a number if nothing came
+    double peak_pressure = 0;                                               ///< [Pa]
+    double impulse = 0;                                                     ///< greatest specific impulse [Pa s]
+    double arrival = 0;                                                     ///< [s], not a number if nothing came
+    double peak_pressure_error = std::numeric_limits<double>::quiet_NaN();  ///< standard error of that sample [Pa]
+    double impulse_error = std::numeric_limits<double>::quiet_NaN();        ///< standard error of that impulse [Pa s]
 };
 
 /// What a part of the structure took up.

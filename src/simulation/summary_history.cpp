@@ -32,6 +32,15 @@ std::optional<ProbeSummary> extremes(const std::vector<double>& times, const std
     return result;
 }
 
+/// A column's value in the row of that time; not a number if there is none.
+double value_at(const HistoryTable& history, const std::string& column, double time)
+{
+    const std::vector<double>* values = history.find(column);
+    const auto row = std::find(history.times.begin(), history.times.end(), time);
+    if (values == nullptr || row == history.times.end()) return std::numeric_limits<double>::quiet_NaN();
+    return (*values)[static_cast<std::size_t>(row - history.times.begin())];
+}
+
 /// When a pressure first rises by a share of its greatest rise.
 double arrival(const std::vector<double>& times, const std::vector<double>& pressures, double peak)
 {
@@ -58,6 +67,13 @@ ColumnName column_name(const std::string& name)
     return result;
 }
 
+std::string companion(const std::string& name, const std::string& kind)
+{
+    const ColumnName parts = column_name(name);
+    return (parts.owner.empty() ? "" : parts.owner + ".") + parts.quantity + "_" + kind +
+           (parts.component.empty() ? "" : "_" + parts.component);
+}
+
 void add_probes(RunSummary& summary, const HistoryTable& history, const std::vector<std::string>& probes)
 {
     for (std::size_t i = 0; i < history.columns.size(); ++i) {
@@ -79,9 +95,11 @@ void add_gauges(RunSummary& summary, const HistoryTable& history, const std::vec
         const std::optional<ProbeSummary> seen = extremes(history.times, *pressure);
         if (!seen) continue;
         const double peak = seen->maximum;
-        double greatest_impulse = 0;
-        if (impulse != nullptr) greatest_impulse = extremes(history.times, *impulse).value_or(ProbeSummary{}).maximum;
-        summary.gauges[name] = {peak, greatest_impulse, arrival(history.times, *pressure, peak)};
+        ProbeSummary pushed;
+        if (impulse != nullptr) pushed = extremes(history.times, *impulse).value_or(ProbeSummary{});
+        summary.gauges[name] = {peak, pushed.maximum, arrival(history.times, *pressure, peak),
+                                value_at(history, name + ".pressure_error", seen->time_of_maximum),
+                                value_at(history, name + ".impulse_error", pushed.time_of_maximum)};
     }
 }
 

@@ -48,6 +48,51 @@ TEST(GasStructure, a_particle_bounces_off_a_held_wall_like_light_off_a_mirror)
     EXPECT_TRUE(gas.pending.empty());
 }
 
+/// The impulse on a facet scatters by the squares of its parts: two bounces from opposite sides push against each other, but their
+/// noise adds up.
+TEST(GasStructure, squares_of_impulses_add_up_whatever_their_side)
+{
+    const MovingSurface wall = square_wall();
+    Structure structure = bare_structure(wall.surface, wall.start, 0);
+    Gas gas = empty_gas(room, 0.5);
+    gas.particles = {particle_at({0.3f, 0.1f, 0.25f}, {100, 0, -1000}), particle_at({0.3f, 0.1f, -0.25f}, {100, 0, 1000})};
+    GasStructureContact contact(gas, structure);
+    step(gas, contact, 1e-3);
+    Vector3d impulse, squares;
+    for (const Vector3d& facet : contact.facet_impulse()) impulse += facet;
+    for (const Vector3d& facet : contact.facet_squares()) squares += facet;
+    EXPECT_NEAR(norm(impulse), 0, 1e-9);
+    EXPECT_NEAR(squares.z, 2 * 1000.0 * 1000.0, 1e-6);
+    EXPECT_EQ(squares.x, 0);
+}
+
+/// A particle in the edge of two walls, at right angles, that hits both in a step: each has its own square. Between two parallel walls the
+/// second bounce takes back what the first gave, and so does its noise: the sum over both is that of the particle's whole impulse.
+TEST(GasStructure, what_a_particle_gives_in_one_step_counts_as_one)
+{
+    MovingSurface wall = square_wall();
+    const auto nodes = static_cast<std::uint32_t>(wall.start.size());
+    const std::vector<Facet> facets = wall.surface.facets;
+    for (Facet facet : facets) {
+        for (std::uint32_t& node : facet.node) node += nodes;
+        wall.surface.facets.push_back(facet);
+    }
+    for (std::uint32_t n = 0; n < nodes; ++n) wall.start.push_back(wall.start[n] + Vector3d{0, 0, 0.5});
+    Structure structure = bare_structure(wall.surface, wall.start, 0);
+    Gas gas = empty_gas(room, 0.5);
+    gas.particles = {particle_at({0.3f, 0.1f, 0.25f}, {0, 0, -1000})};
+    GasStructureContact contact(gas, structure);
+    step(gas, contact, 1e-3);
+    Vector3d squares;
+    std::uint64_t hits = 0;
+    for (std::size_t f = 0; f < contact.facet_squares().size(); ++f) {
+        squares += contact.facet_squares()[f];
+        hits += contact.facet_hits()[f];
+    }
+    EXPECT_EQ(hits, 2u);
+    EXPECT_NEAR(squares.z, 0, 1e-6);
+}
+
 TEST(GasStructure, every_bounce_keeps_momentum_and_energy_of_the_pair)
 {
     Random random(1, Purpose::contact, 0, 0);

@@ -90,6 +90,22 @@ TEST(Faces, in_a_corner_the_wall_reflects_and_the_opening_takes)
     EXPECT_EQ(passages.face[3].mass, 0.5);
 }
 
+/// What the noise of a face's impulse is known by: the squares of its parts.
+TEST(Faces, add_up_the_squares_of_impulses)
+{
+    const Gas gas = gas_with({R, R, R, R, R, R});
+    FacePassages passages;
+    for (const float speed : {-4.0f, -1.0f}) {
+        Particle p{{-0.25f, 1, 1}, 0, {speed, 4, 0}, 0};
+        keep_in_domain(gas, p, passages);
+    }
+    EXPECT_EQ(passages.squares[0], 4.0 * 4.0 + 1.0);
+    FacePassages twice = passages;
+    twice += passages;
+    EXPECT_EQ(twice.squares[0], 2 * passages.squares[0]);
+    EXPECT_EQ(passages.squares[1], 0);
+}
+
 TEST(Faces, leave_alone_what_is_inside)
 {
     const Gas gas = gas_with({R, O, A, R, O, A});

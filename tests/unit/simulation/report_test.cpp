@@ -49,6 +49,27 @@ TEST(Report, IsMadeFromTheRunsFolderAlone)
     EXPECT_THROW(write_report(folder / "absent"), InputError);
 }
 
+/// Standard errors are no curves of their own but bands of 1.96 of them; ends of a band that are given are taken as they are.
+TEST(Report, DrawsErrorsAsBands)
+{
+    const HistoryTable history{{{"g.pressure", "Pa"},
+                                {"g.pressure_error", "Pa"},
+                                {"c.velocity_z", "m/s"},
+                                {"c.velocity_low_z", "m/s"},
+                                {"c.velocity_high_z", "m/s"},
+                                {"c.velocity_deviation_z", "m/s"}},
+                               {1, 2},
+                               {{100, 200}, {10, 20}, {1, 2}, {0.5, 1}, {2, 4}, {0.1, 0.2}}};
+    const std::vector<Chart> charts = history_charts(history, {});
+    ASSERT_EQ(charts.size(), 2U);
+    ASSERT_THAT(labels(charts[0]), ElementsAre("g (band: 95 %)"));
+    EXPECT_NEAR(charts[0].curves[0].band.low[1], 200 - 1.959964 * 20, 1e-9);
+    EXPECT_NEAR(charts[0].curves[0].band.high[0], 100 + 1.959964 * 10, 1e-9);
+    EXPECT_THAT(charts[1].curves[0].band.low, ElementsAre(0.5, 1));
+    EXPECT_THAT(charts[1].curves[0].band.high, ElementsAre(2, 4));
+    EXPECT_EQ(count(drawn(charts[1]), "class=\"band c0\""), 1U);
+}
+
 TEST(Report, RefersToNothingOutsideItself)
 {
     const std::string page = report_page(sample_run());

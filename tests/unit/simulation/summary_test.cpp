@@ -51,7 +51,8 @@ TEST(Summary, HasThePromisedKeys)
     EXPECT_EQ(summary.at("ledger").at("energy_error"), -3.1e-3);
     EXPECT_THAT(keys(summary.at("probes").at("center").at("displacement_z_m")),
                 ElementsAre("final", "max", "min", "time_of_max_s", "time_of_min_s"));
-    EXPECT_THAT(keys(summary.at("gauges").at("wall")), ElementsAre("arrival_s", "impulse_pa_s", "peak_pressure_pa"));
+    EXPECT_THAT(keys(summary.at("gauges").at("wall")),
+                ElementsAre("arrival_s", "impulse_error_pa_s", "impulse_pa_s", "peak_pressure_error_pa", "peak_pressure_pa"));
     EXPECT_EQ(
         summary.at("parts").at("plate"),
         json::parse(
@@ -157,6 +158,26 @@ TEST(SummaryHistory, FindsPeakImpulseAndArrival)
     EXPECT_EQ(summary.gauges.at("g").arrival, 4);
     EXPECT_TRUE(std::isnan(summary.gauges.at("still").arrival));
     EXPECT_EQ(summary.gauges.count("absent"), 0U);
+    EXPECT_TRUE(std::isnan(summary.gauges.at("g").peak_pressure_error));
+}
+
+/// Errors are those of the very samples that peak and impulse were read from.
+TEST(SummaryHistory, FindsTheErrorsOfPeakAndImpulse)
+{
+    const HistoryTable history{{{"g.pressure", "Pa"}, {"g.pressure_error", "Pa"}, {"g.impulse", "Pa s"}, {"g.impulse_error", "Pa s"}},
+                               {1, 2, 3},
+                               {{100, 300, 200}, {10, 30, 20}, {0, 5, 9}, {0, 2, 3}}};
+    RunSummary summary;
+    add_gauges(summary, history, {"g"});
+    EXPECT_EQ(summary.gauges.at("g").peak_pressure_error, 30);
+    EXPECT_EQ(summary.gauges.at("g").impulse_error, 3);
+}
+
+TEST(SummaryHistory, NamesTheColumnsThatGoTogether)
+{
+    EXPECT_EQ(companion("wall.pressure", "error"), "wall.pressure_error");
+    EXPECT_EQ(companion("ball.velocity_x", "error"), "ball.velocity_error_x");
+    EXPECT_EQ(companion("time", "low"), "time_low");
 }
 
 }  // namespace
