@@ -1,8 +1,10 @@
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
 #include "app/commands/commands.hpp"
+#include "app/commands/ensemble.hpp"
 #include "app/terminal/table.hpp"
 #include "input/case/read_case.hpp"
 #include "input/memory.hpp"
@@ -53,11 +55,11 @@ void print_structure(const CaseDescription& description, const Structure& struct
 }
 
 /// Seconds a run takes, about: 60 ns a particle and step on two threads, 250 ns a shell and step on one.
-double expected_seconds(const CaseSurvey& survey, double steps)
+double expected_seconds(const CaseSurvey& survey, double steps, int threads)
 {
     const double particles = survey.gas ? static_cast<double>(survey.gas->particles()) : 0;
     const double work = 120e-9 * particles + 250e-9 * static_cast<double>(survey.structure.element_count());
-    return steps * (work / std::max(1, thread_count()) + 20e-6);
+    return steps * (work / std::max(1, threads) + 20e-6);
 }
 
 std::string duration_text(double seconds)
@@ -65,6 +67,16 @@ std::string duration_text(double seconds)
     if (seconds < 120) return fmt::format("{:.2g} s", seconds);
     if (seconds < 7200) return fmt::format("{:.2g} min", seconds / 60);
     return fmt::format("{:.2g} h", seconds / 3600);
+}
+
+/// What all runs of an ensemble take together.
+void print_ensemble(int members, const CaseSurvey& survey, double steps)
+{
+    const int at_once = members_at_once(members, survey.memory), threads = std::max(1, thread_count() / at_once);
+    const double rounds = std::ceil(static_cast<double>(members) / at_once);
+    fmt::print("an ensemble of {} such runs, {} at a time on {} thread{} each: memory about {}, {} times the work, wall time about {}\n",
+               members, at_once, threads, threads == 1 ? "" : "s", bytes_text(static_cast<std::size_t>(at_once) * survey.memory), members,
+               duration_text(rounds * expected_seconds(survey, steps, threads)));
 }
 
 }  // namespace
@@ -85,7 +97,8 @@ int check_command(const Options& options)
     if (!survey.structure.parts.empty()) print_structure(description, survey.structure);
     const double steps = expected_steps(survey, description.end_time);
     fmt::print("memory about {}, steps about {:.2g}, wall time about {} on {} threads\n", bytes_text(survey.memory), steps,
-               duration_text(expected_seconds(survey, steps)), thread_count());
+               duration_text(expected_seconds(survey, steps, thread_count())), thread_count());
+    if (description.ensemble > 1) print_ensemble(description.ensemble, survey, steps);
     for (const std::string& warning : survey.warnings) fmt::print("warning: {}\n", warning);
     fmt::print("the case is good\n");
     return 0;

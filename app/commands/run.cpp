@@ -5,6 +5,7 @@
 
 #include "app/command_line.hpp"
 #include "app/commands/commands.hpp"
+#include "app/commands/ensemble.hpp"
 #include "app/terminal/interrupt.hpp"
 #include "app/terminal/progress.hpp"
 #include "app/terminal/results.hpp"
@@ -72,6 +73,7 @@ int run_command(const Options& options)
     const RunFolder folder(results_folder(options));
     const Existing existing = options.force ? Existing::replace : Existing::refuse;
     const CaseDescription description = case_of(options);
+    if (description.ensemble > 1) return run_ensemble(options, description, folder);
     folder.check(existing);
     CaseSurvey survey = survey_case(description);
     std::unique_ptr<Model> model = build(description, survey);
@@ -90,6 +92,7 @@ int resume_command(const Options& options)
                          "expected the folder of an earlier `corpuscle run`");
     CaseDescription description = read_case(folder.resolved_case());
     resolve_presets(description, preset_folders(description.folder, options.installed_share()));
+    if (description.ensemble > 1) return resume_ensemble(options, description, folder);
     const std::unique_ptr<Simulation> simulation = Simulation::resume(build(description), folder);
     return finish(*simulation, folder, options);
 }

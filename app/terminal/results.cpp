@@ -48,7 +48,27 @@ std::string pace_text(const RunSummary& summary)
     return text + fmt::format("; memory {:.0f} MB\n", static_cast<double>(summary.peak_memory) / 1e6);
 }
 
+/// Quantities that a reader looks for first; the rest is in the report.
+bool is_shown(const std::string& place)
+{
+    return !place.starts_with("/parts/") && place.find("time_of_") == std::string::npos && place.find("_error_") == std::string::npos;
+}
+
 }  // namespace
+
+std::string ensemble_text(const RunSummary& summary)
+{
+    const EnsembleSummary& ensemble = *summary.ensemble;
+    TextTable table({"measured", "mean", "standard error", "95 % from", "to", "deviation of a run"});
+    for (const auto& [place, statistic] : ensemble.quantities) {
+        if (!is_shown(place)) continue;
+        table.row({place.substr(place.find('/', 1) + 1), fmt::format("{:.4g}", statistic.mean),
+                   fmt::format("{:.2g}", statistic.standard_error), fmt::format("{:.4g}", statistic.low),
+                   fmt::format("{:.4g}", statistic.high), fmt::format("{:.2g}", statistic.deviation)});
+    }
+    return fmt::format("\n{}\n{} of {} runs done in {:.2f} s of wall and {:.2f} s of CPU time\n", table.text(), ensemble.done.size(),
+                       ensemble.seeds.size(), summary.wall_seconds, summary.cpu_seconds);
+}
 
 std::string results_text(const RunSummary& summary)
 {

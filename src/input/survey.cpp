@@ -41,6 +41,18 @@ void check_products(const CaseDescription& description)
                          "expected particles = 200_000, or { products = 100_000, air = 100_000 }", place);
 }
 
+/// Runs can differ by their seed only if there is gas, and each needs a seed of its own.
+void check_ensemble(const CaseDescription& description)
+{
+    if (description.ensemble == 1) return;
+    const Place& place = description.places.of("ensemble");
+    if (!description.gas)
+        throw InputError("an ensemble without gas would be the same run again and again", "expected [gas], or ensemble = 1", place);
+    constexpr std::uint64_t last = 9'000'000'000'000'000;  // as in the range of gas.seed
+    if (description.gas->seed > last - static_cast<std::uint64_t>(description.ensemble))
+        throw InputError("the ensemble runs out of seeds", "expected a smaller gas.seed", place);
+}
+
 /// Stable step and growth time of one fill: the spacing grows as the cloud spreads at its thermal speed.
 struct GasPace {
     double first_step;   ///< [s]
@@ -62,6 +74,7 @@ GasPace pace_of(const GasPlan& plan, std::size_t i)
 CaseSurvey survey_case(const CaseDescription& description)
 {
     check_names(description);
+    check_ensemble(description);
     CaseSurvey survey;
     if (description.gas) {
         check_products(description);

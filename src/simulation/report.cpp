@@ -46,8 +46,8 @@ std::string report_page(const ReportData& data)
         "content=\"width=device-width,initial-scale=1\">"
         "<title>{}</title>\n<style>{}</style></head><body><main>\n",
         escaped(summary.title), report_style());
-    page += report_header(summary) + report_tiles(summary) + report_verdicts(summary) + charts_section(data) + report_results(summary) +
-            report_ledger(summary) + report_cost(summary) + report_repeat(summary, data.resolved_case);
+    page += report_header(summary) + report_tiles(summary) + report_verdicts(summary) + charts_section(data) + report_ensemble(summary) +
+            report_results(summary) + report_ledger(summary) + report_cost(summary) + report_repeat(summary, data.resolved_case);
     page += fmt::format("<footer>Written by {}. SI units unless a unit is written.</footer>\n</main><script>{}</script></body></html>\n",
                         escaped(summary.program.empty() ? "corpuscle" : summary.program), report_script());
     return page;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -152,6 +153,12 @@ std::string legend(const Chart& chart)
     return text + "</ul>";
 }
 
+/// To six digits; what is too small for a double is 0.
+double shortened(double value)
+{
+    return std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr);
+}
+
 /// The points as JSON for the read-out: rounded to what the drawing shows.
 std::string points_json(const Chart& chart, const std::vector<Points>& curves, const Axis& x, const Axis& y)
 {
@@ -163,8 +170,8 @@ std::string points_json(const Chart& chart, const std::vector<Points>& curves, c
         json["names"].push_back(chart.curves[i].label);
         nlohmann::json flat = nlohmann::json::array();
         for (const auto& [px, py] : curves[i]) {
-            flat.push_back(std::stod(fmt::format("{:.6g}", px)));
-            flat.push_back(std::stod(fmt::format("{:.6g}", py)));
+            flat.push_back(shortened(px));
+            flat.push_back(shortened(py));
         }
         json["curves"].push_back(std::move(flat));
     }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <sstream>
 #include <vector>
 
 #include "simulation/report_text.hpp"
@@ -67,6 +68,29 @@ KeyParts parts_of(const std::string& key)
         if (key.ends_with(suffix)) return {spaced(key.substr(0, key.size() - suffix.size())), unit};
     }
     return {spaced(key), "1"};
+}
+
+/// A place in summary.json in words: "/probes/center/displacement_z_m/max" -> "center displacement z, max" and "m".
+struct QuantityName {
+    std::string text;
+    std::string unit;
+};
+
+QuantityName quantity_name(const std::string& place)
+{
+    std::vector<std::string> words;
+    std::stringstream stream(place.substr(1));
+    for (std::string word; std::getline(stream, word, '/');) words.push_back(word);
+    if (words.size() < 3) return {place, "1"};
+    const auto [quantity, unit] = parts_of(words[2]);
+    std::string text = words[1] + " " + quantity, shown = unit;
+    if (words.size() > 3 && words[0] == "parts") text += std::string(" ") + "xyz"[std::min<std::size_t>(words[3][0] - '0', 2)];
+    if (words.size() > 3 && words[0] == "probes") {
+        const bool time = words[3].starts_with("time_of");
+        text += ", " + (time ? parts_of(words[3]).quantity : words[3]);
+        if (time) shown = "s";
+    }
+    return {text, shown};
 }
 
 std::string particles_text(const RunSummary& summary)
@@ -247,6 +271,26 @@ std::string report_verdicts(const RunSummary& summary)
             escaped(verdict.meaning));
     }
     return text + "</div></section>\n";
+}
+
+std::string report_ensemble(const RunSummary& summary)
+{
+    if (!summary.ensemble) return {};
+    const EnsembleSummary& ensemble = *summary.ensemble;
+    std::vector<Row> rows;
+    for (const auto& [place, statistic] : ensemble.quantities) {
+        const QuantityName name = quantity_name(place);
+        const ShownUnit shown = shown_unit(name.unit, std::abs(statistic.mean));
+        const auto value = [&shown](double si) { return rounded(si / shown.factor); };
+        rows.push_back({name.text, shown.unit, value(statistic.mean), value(statistic.standard_error), value(statistic.low),
+                        value(statistic.high), value(statistic.deviation)});
+    }
+    const std::string said = fmt::format(
+        "<p>{} of {} seeds ({} to {}) ran to the end. Curves and results are means; each run is in its own folder, seed_N. Bands and "
+        "intervals hold the mean of infinitely many runs with 95 % confidence (Student's t).</p>",
+        ensemble.done.size(), ensemble.seeds.size(), ensemble.seeds.front(), ensemble.seeds.back());
+    return "<section><h2>Several seeds</h2>" + said +
+           table("Means", {"", "unit", "mean", "standard error", "from", "to", "deviation of a run"}, rows) + "</section>\n";
 }
 
 std::string report_results(const RunSummary& summary)

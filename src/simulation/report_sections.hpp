@@ -14,6 +14,8 @@ namespace corpuscle {
 [[nodiscard]] std::string report_tiles(const RunSummary& summary);
 /// Pass or warn, with the number and the limit.
 [[nodiscard]] std::string report_verdicts(const RunSummary& summary);
+/// What several seeds say together: how far each number of the results may be from the mean of infinitely many.
+[[nodiscard]] std::string report_ensemble(const RunSummary& summary);
 /// What probes, gauges and parts saw.
 [[nodiscard]] std::string report_results(const RunSummary& summary);
 /// Who gave what to whom.

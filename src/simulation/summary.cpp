@@ -123,6 +123,43 @@ Json parts_of(const RunSummary& summary)
     return parts;
 }
 
+/// Each statistic at the place its quantity has in the summary itself.
+Json ensemble_of(const EnsembleSummary& ensemble)
+{
+    Json quantities = Json::object();
+    for (const auto& [place, statistic] : ensemble.quantities) {
+        quantities[Json::json_pointer(place)] = {
+            {"mean", statistic.mean}, {"deviation", statistic.deviation}, {"standard_error", statistic.standard_error},
+            {"low", statistic.low},   {"high", statistic.high},           {"count", statistic.count}};
+    }
+    return {{"members", ensemble.seeds.size()},
+            {"seeds", ensemble.seeds},
+            {"done", ensemble.done},
+            {"confidence", usual_confidence},
+            {"quantities", quantities}};
+}
+
+EnsembleSummary read_ensemble(const Json& json)
+{
+    EnsembleSummary ensemble;
+    json.at("seeds").get_to(ensemble.seeds);
+    json.at("done").get_to(ensemble.done);
+    const Json leaves = json.at("quantities").flatten();
+    for (const auto& [place, leaf] : leaves.items()) {
+        const std::size_t end = place.rfind('/');
+        const std::string word = place.substr(end + 1);
+        if (end == std::string::npos || end == 0) continue;
+        Statistic& statistic = ensemble.quantities[place.substr(0, end)];
+        if (word == "mean") statistic.mean = number(leaf);
+        if (word == "deviation") statistic.deviation = number(leaf);
+        if (word == "standard_error") statistic.standard_error = number(leaf);
+        if (word == "low") statistic.low = number(leaf);
+        if (word == "high") statistic.high = number(leaf);
+        if (word == "count") leaf.get_to(statistic.count);
+    }
+    return ensemble;
+}
+
 void read_run(const Json& json, RunSummary& summary)
 {
     summary.title = json.at("title").get<std::string>();
@@ -237,6 +274,7 @@ std::string summary_text(const RunSummary& summary)
     json["parts"] = parts_of(summary);
     json["verdicts"] = verdicts_of(summary);
     json["references"] = references_of(summary);
+    if (summary.ensemble) json["ensemble"] = ensemble_of(*summary.ensemble);
     json["reason"] = summary.reason;
     json["program"] = summary.program;
     json["command"] = summary.command;
@@ -248,13 +286,13 @@ void write_summary(const std::filesystem::path& path, const RunSummary& summary)
     replace_file(path, summary_text(summary), Durability::disk);
 }
 
-RunSummary read_summary(const std::filesystem::path& path)
+RunSummary parse_summary(const std::string& text, const std::string& name)
 {
     try {
-        const Json json = Json::parse(read_file(path));
+        const Json json = Json::parse(text);
         const int version = json.at("version").get<int>();
         if (version != summary_version) {
-            throw InputError(fmt::format("'{}' has version {}, this program reads version {}", path.string(), version, summary_version),
+            throw InputError(fmt::format("'{}' has version {}, this program reads version {}", name, version, summary_version),
                              "use the program that wrote it");
         }
         RunSummary summary;
@@ -264,14 +302,20 @@ RunSummary read_summary(const std::filesystem::path& path)
         read_ledger(json.at("ledger"), summary);
         read_bodies(json, summary);
         if (json.contains("verdicts")) read_verdicts(json.at("verdicts"), summary);
+        if (json.contains("ensemble")) summary.ensemble = read_ensemble(json.at("ensemble"));
         for (const Json& entry : json.value("references", Json::array())) {
             summary.references.push_back(
                 {entry.at("column").get<std::string>(), number(entry.at("value")), entry.at("label").get<std::string>()});
         }
         return summary;
     } catch (const nlohmann::json::exception& problem) {
-        throw InputError(fmt::format("cannot understand '{}': {}", path.string(), problem.what()), "is it the summary of a run?");
+        throw InputError(fmt::format("cannot understand '{}': {}", name, problem.what()), "is it the summary of a run?");
     }
+}
+
+RunSummary read_summary(const std::filesystem::path& path)
+{
+    return parse_summary(read_file(path), path.string());
 }
 
 }  // namespace corpuscle

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "fields/transfer.hpp"
+#include "math/statistics.hpp"
 #include "math/vector3.hpp"
 #include "simulation/summary_verdict.hpp"
 
@@ -48,6 +49,15 @@ struct ReferenceValue {
     std::string label;   ///< "experiment (Neuberger et al. 2009)"
 };
 
+/// What runs that differ by their seed say together.
+struct EnsembleSummary {
+    std::vector<std::uint64_t> seeds;             ///< of all members
+    std::vector<std::uint64_t> done;              ///< those that ran to the end: what the statistics are of
+    std::map<std::string, Statistic> quantities;  ///< by place in summary.json: "/probes/center/displacement_z_m/max"
+
+    friend bool operator==(const EnsembleSummary&, const EnsembleSummary&) = default;
+};
+
 /// Everything there is to say about a run in numbers: what summary.json holds. Version 1; keys are only ever added.
 struct RunSummary {
     std::string title;
@@ -84,6 +94,7 @@ struct RunSummary {
     std::map<std::string, std::map<std::string, ProbeSummary>> probes;  ///< by probe, then by summary_key() of the quantity
     std::map<std::string, GaugeSummary> gauges;
     std::map<std::string, PartSummary> parts;
+    std::optional<EnsembleSummary> ensemble;  ///< if this is of several runs: all numbers above are then means, sums or the worst
 };
 
 /// A quantity's key with its unit: ("displacement_z", "m") -> "displacement_z_m", ("velocity_x", "m/s") -> "velocity_x_m_per_s",
@@ -98,6 +109,9 @@ struct RunSummary {
 
 /// Writes summary.json aside and renames it. Throws Error.
 void write_summary(const std::filesystem::path& path, const RunSummary& summary);
+
+/// The summary that a text of summary_text says; `name` tells errors whose it is. Throws InputError.
+[[nodiscard]] RunSummary parse_summary(const std::string& text, const std::string& name);
 
 /// Reads a summary.json back. Throws InputError if it is none.
 [[nodiscard]] RunSummary read_summary(const std::filesystem::path& path);

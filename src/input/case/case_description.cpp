@@ -11,6 +11,9 @@ const Table& table_of<CaseDescription>()
         TableBuilder<CaseDescription>("", "A case says all that is simulated and recorded, in TOML 1.0.")
             .row("title", &CaseDescription::title, {"", {}, "One line for people.", "\"15 kg TNT, 700 mm from a clamped RHA plate\""})
             .need("end_time", &CaseDescription::end_time, {"s", above(0), "Simulated time.", "\"3 ms\""})
+            .row("ensemble", &CaseDescription::ensemble,
+                 {"", from_to(1, 10'000),
+                  "Runs, with seeds from gas.seed on; curves and results then are means with their 95 % confidence.", "8"})
             .row("gas", &CaseDescription::gas, {"", {}, "The gas of particles.", ""})
             .row("charge", &CaseDescription::charges, {"", {}, "Charges of explosive.", ""})
             .row("fill", &CaseDescription::fills, {"", {}, "Gas in shapes.", ""})

@@ -15,6 +15,7 @@ namespace corpuscle {
 struct CaseDescription {
     std::string title;
     double end_time = 0;  ///< [s]
+    int ensemble = 1;     ///< runs that differ by their seed
     std::vector<ChargeInput> charges;
     std::optional<GasInput> gas;
     std::vector<FillInput> fills;

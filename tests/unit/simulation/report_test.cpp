@@ -49,6 +49,13 @@ TEST(Report, IsMadeFromTheRunsFolderAlone)
     EXPECT_THROW(write_report(folder / "absent"), InputError);
 }
 
+/// A value too small for most arithmetic is still drawn.
+TEST(Drawn, TakesDenormalValues)
+{
+    const std::string figure = drawn({"T", "time", "s", "height", "m", {{"ball", {0, 1}, {4e-320, 1}}}, {}});
+    EXPECT_EQ(count(figure, "class=\"curve c0\""), 1U);
+}
+
 /// Standard errors are no curves of their own but bands of 1.96 of them; ends of a band that are given are taken as they are.
 TEST(Report, DrawsErrorsAsBands)
 {
