@@ -1,6 +1,7 @@
 #include "app/commands/ensemble.hpp"
 
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <ctime>
 #include <deque>
@@ -36,11 +37,6 @@ SampleTimes sample_times(const CaseDescription& description)
     return times;
 }
 
-void drop_file(const RunFolder& folder, const char* name)
-{
-    std::ofstream(folder.path() / name).put('\n');
-}
-
 /// Has the members run, each by a program of its own, and keeps account of how they ended.
 class Conductor {
 public:
@@ -65,8 +61,8 @@ public:
         while (!running_.empty() || (!waiting_.empty() && !stopping_)) {
             while (!stopping_ && !waiting_.empty() && running_.size() < static_cast<std::size_t>(at_once_)) start_next();
             const FolderRequest request = ensemble_.folder().take_request();
-            if (!stopping_ && (watch.requested() || request == FolderRequest::stop)) pass_on("stop");
-            if (request == FolderRequest::save) pass_on("save");
+            if (!stopping_ && (watch.requested() || request == FolderRequest::stop)) stop();
+            if (request == FolderRequest::save) save();
             collect();
         }
     }
@@ -107,11 +103,17 @@ private:
         running_.push_back({seed, Child(words)});
     }
 
-    /// A file in a member's folder asks it to save its state, or to stop after that.
-    void pass_on(const char* request)
+    /// Members under way save their states and end; no other starts.
+    void stop()
     {
-        stopping_ = stopping_ || std::string(request) == "stop";
-        for (const Running& run : running_) drop_file(ensemble_.member(run.seed), request);
+        stopping_ = true;
+        for (const Running& run : running_) run.child.ask_to_stop();
+    }
+
+    /// A file in a member's folder asks it to save its state.
+    void save() const
+    {
+        for (const Running& run : running_) std::ofstream(ensemble_.member(run.seed).path() / "save").put('\n');
     }
 
     /// Takes leave of the members that have ended, after a moment's rest.
@@ -126,14 +128,13 @@ private:
 
     void note_end(std::uint64_t seed, int code)
     {
-        std::error_code ignored;
-        for (const char* request : {"stop", "save"}) std::filesystem::remove(ensemble_.member(seed).path() / request, ignored);
+        const bool stopped_before_its_first_step = stopping_ && code == 128 + SIGTERM;
         if (code == exit_done) {
             ++done_;
             tell(fmt::format("seed {} done ({} of {})", seed, done_, ensemble_.seeds().size()));
-        } else if (code == exit_interrupted) {
+        } else if (code == exit_interrupted || stopped_before_its_first_step) {
             interrupted_ = true;
-            tell(fmt::format("seed {} interrupted, state saved", seed));
+            tell(fmt::format("seed {} interrupted{}", seed, code == exit_interrupted ? ", state saved" : ""));
         } else {
             failures_ += fmt::format("{}seed {} ended with code {}", failures_.empty() ? "" : ", ", seed, code);
             tell(fmt::format("seed {} ended with code {}: see {}", seed, code, ensemble_.member(seed).log().string()));
@@ -176,8 +177,8 @@ int finish(const Ensemble& ensemble, const Options& options, const CaseDescripti
     const std::string status = conductor.status(), folder = ensemble.folder().path().string();
     const std::filesystem::path earlier = ensemble.folder().summary();
     const double wall_before = std::filesystem::exists(earlier) ? read_summary(earlier).wall_seconds : 0;
-    const RunSummary summary =
-        ensemble.write_results(sample_times(description), description.title, status, conductor.failures(), wall_before + wall_seconds_since(started));
+    const RunSummary summary = ensemble.write_results(sample_times(description), description.title, status, conductor.failures(),
+                                                      wall_before + wall_seconds_since(started));
     if (!options.quiet) fmt::print("{}", ensemble_text(summary));
     if (status == "interrupted") {
         fmt::print("interrupted, states saved; go on with: corpuscle resume {}\n", folder);

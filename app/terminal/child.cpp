@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <cstring>
 
 #include <fmt/format.h>
@@ -32,6 +33,11 @@ std::optional<int> Child::ended()
     int status = 0;
     if (!code_ && waitpid(process_, &status, WNOHANG) == process_) code_ = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     return code_;
+}
+
+void Child::ask_to_stop() const
+{
+    if (!code_) kill(process_, SIGTERM);
 }
 
 }  // namespace corpuscle

@@ -17,6 +17,9 @@ public:
     /// Its exit code once it has ended (128 and the signal that killed it, as shells count).
     [[nodiscard]] std::optional<int> ended();
 
+    /// Sends it SIGTERM. A Ctrl-C that reached it too does no harm: the two are told apart.
+    void ask_to_stop() const;
+
 private:
     pid_t process_ = 0;
     std::optional<int> code_;

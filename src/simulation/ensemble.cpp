@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "output/history/history.hpp"
 #include "simulation/ensemble_summary.hpp"
 #include "simulation/machine.hpp"
@@ -67,7 +69,9 @@ bool Ensemble::is_done(std::uint64_t seed) const
 bool Ensemble::has_state(std::uint64_t seed) const
 {
     const fs::path states = member(seed).restart();
-    return fs::exists(member(seed).resolved_case()) && fs::is_directory(states) && !fs::is_empty(states);
+    if (!fs::exists(member(seed).resolved_case()) || !fs::is_directory(states)) return false;
+    const fs::directory_iterator files(states);
+    return std::any_of(begin(files), end(files), [](const auto& file) { return file.path().extension() == ".hdf"; });
 }
 
 RunSummary Ensemble::write_results(const SampleTimes& times, const std::string& title, const std::string& status, const std::string& reason,
