@@ -26,7 +26,7 @@ void add_vector_columns(HistorySource& source, const std::string& owner, const s
 
 }  // namespace
 
-Recorder::Recorder(Model& model) : model_(model), gauges_(model) {}
+Recorder::Recorder(Model& model) : model_(model), gauges_(model), resolution_(judge_resolution(model)) {}
 
 OutputPlan Recorder::plan(const Clock& clock)
 {
@@ -136,7 +136,7 @@ void Recorder::add_files(OutputPlan& plan) const
 
 std::vector<Verdict> Recorder::verdicts() const
 {
-    std::vector<Verdict> verdicts;
+    std::vector<Verdict> verdicts = resolution_;
     const std::vector<std::uint64_t>& hits = model_.gas_structure.facet_hits();
     std::vector<double> by_part(model_.structure.parts.size());
     for (std::size_t f = 0; f < hits.size(); ++f) by_part[model_.structure.surface.facets[f].part] += static_cast<double>(hits[f]);

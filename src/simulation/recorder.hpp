@@ -7,6 +7,7 @@
 #include "simulation/gauges.hpp"
 #include "simulation/outputs.hpp"
 #include "simulation/phases.hpp"
+#include "simulation/resolution.hpp"
 #include "simulation/summary_verdict.hpp"
 
 namespace corpuscle {
@@ -22,7 +23,7 @@ public:
     /// Memory of the gauges, for a restart.
     [[nodiscard]] FieldSet state() { return gauges_.state(); }
 
-    /// Gauges whose noise is known: relative standard error of the peak pressure, by the hits in an interval.
+    /// How fine the particles are, and the noise of the load by all its hits.
     [[nodiscard]] std::vector<Verdict> verdicts() const;
 
 private:
@@ -31,6 +32,7 @@ private:
     void add_files(OutputPlan& plan) const;
     Model& model_;
     Gauges gauges_;
+    std::vector<Verdict> resolution_;  ///< of the model as it was built
 };
 
 }  // namespace corpuscle

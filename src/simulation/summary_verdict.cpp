@@ -29,7 +29,7 @@ Verdict noise_verdict(double hits)
 
 Verdict resolution_verdict(double spacing, double length)
 {
-    return {"resolution", spacing / length, 0.1, "spacing of the particles that load the structure, over the length the load varies on"};
+    return {"resolution", spacing / length, 0.1, "spacing of the particles that load the structure, over the charge's distance"};
 }
 
 }  // namespace corpuscle

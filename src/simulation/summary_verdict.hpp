@@ -29,7 +29,7 @@ struct Verdict {
 /// half-Maxwellian flux, mean square over squared mean 4/pi.
 [[nodiscard]] Verdict noise_verdict(double hits);
 
-/// Spacing of the particles [m] where they load the structure, over the length [m] the load varies on (the smaller of stand-off and span).
+/// Spacing of the particles [m] where they load the structure, over the stand-off [m].
 [[nodiscard]] Verdict resolution_verdict(double spacing, double length);
 
 }  // namespace corpuscle
