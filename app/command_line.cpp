@@ -60,7 +60,7 @@ private:
         CLI::App* resume = add("resume", "Go on with an interrupted run", resume_command);
         resume->add_option("folder", options_.subject, "Its folder of results")->required();
         resume->add_flag("--quiet", options_.quiet, "No progress, no tables");
-        add_threads(resume);
+        add_settings(resume, "Change end_time or a key of output: key=value, such as end_time=\"4 ms\"");
         CLI::App* report = add("report", "Make report.html again", report_command);
         report->add_option("folder", options_.subject, "A folder of results")->required();
         CLI::App* check = add("check", "Everything but the steps: masses, counts, memory, expected time, warnings", check_command);
@@ -68,11 +68,9 @@ private:
         add_settings(check);
     }
 
-    void add_settings(CLI::App* sub)
+    void add_settings(CLI::App* sub, const std::string& meaning = "Change a value: key=value, such as charge.0.mass=\"20 kg\"")
     {
-        sub->add_option("--set", options_.settings, "Change a value: key=value, such as charge.0.mass=\"20 kg\"")
-            ->allow_extra_args(false)
-            ->take_all();
+        sub->add_option("--set", options_.settings, meaning)->allow_extra_args(false)->take_all();
         add_threads(sub);
     }
 

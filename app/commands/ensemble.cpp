@@ -95,7 +95,8 @@ private:
                                              "ensemble=1",
                                              "--set",
                                              fmt::format("gas.seed={}", seed)};
-        const std::vector<std::string> old{"resume", folder.path().string()};
+        std::vector<std::string> old{"resume", folder.path().string()};
+        for (const std::string& setting : options_.settings) old.insert(old.end(), {"--set", setting});
         const std::vector<std::string>& task = ensemble_.has_state(seed) ? old : fresh;
         words.insert(words.end(), task.begin(), task.end());
         for (const std::string& word : {std::string("--quiet"), std::string("--threads"), std::to_string(threads_)}) words.push_back(word);
@@ -190,7 +191,7 @@ int finish(const Ensemble& ensemble, const Options& options, const CaseDescripti
 
 Ensemble ensemble_of(const CaseDescription& description, const RunFolder& folder)
 {
-    return {std::filesystem::absolute(folder.path()), description.gas->seed, description.ensemble};
+    return {std::filesystem::absolute(folder.path()), description.gas->seed, description.ensemble, description.end_time};
 }
 
 }  // namespace
@@ -220,7 +221,14 @@ int run_ensemble(const Options& options, const CaseDescription& description, con
 
 int resume_ensemble(const Options& options, const CaseDescription& description, const RunFolder& folder)
 {
-    return finish(ensemble_of(description, folder), options, description, survey_case(description).memory);
+    const std::size_t memory = survey_case(description).memory;
+    const Ensemble ensemble = ensemble_of(description, folder);
+    if (ensemble.reached() > description.end_time * (1 + 1e-12))
+        throw InputError(
+            fmt::format("a run has come to {:.6g} s already, beyond the end time of {:.6g} s", ensemble.reached(), description.end_time),
+            "expected a later end_time");
+    if (!options.settings.empty()) replace_file(folder.resolved_case(), resolved_case(description));
+    return finish(ensemble, options, description, memory);
 }
 
 }  // namespace corpuscle

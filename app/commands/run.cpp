@@ -68,6 +68,21 @@ int finish(Simulation& simulation, const RunFolder& folder, const Options& optio
 
 }  // namespace
 
+namespace {
+
+/// Refuses to change what the saved state was made with: only how far the run goes, and what it writes, may change half way.
+void check_changes(const std::vector<std::string>& settings)
+{
+    for (const std::string& setting : settings) {
+        const std::string key = setting.substr(0, setting.find('='));
+        if (key == "end_time" || key.starts_with("output.")) continue;
+        throw InputError(fmt::format("'{}' cannot be changed half way through a run", key),
+                         "expected end_time or a key of output; start a new run for anything else", {"--set " + key, 0, 0});
+    }
+}
+
+}  // namespace
+
 int run_command(const Options& options)
 {
     const RunFolder folder(results_folder(options));
@@ -90,10 +105,12 @@ int resume_command(const Options& options)
     if (!std::filesystem::exists(folder.resolved_case()))
         throw InputError(fmt::format("'{}' holds no run to go on with", options.subject),
                          "expected the folder of an earlier `corpuscle run`");
-    CaseDescription description = read_case(folder.resolved_case());
+    check_changes(options.settings);
+    CaseDescription description = read_case(folder.resolved_case(), options.settings);
     resolve_presets(description, preset_folders(description.folder, options.installed_share()));
     if (description.ensemble > 1) return resume_ensemble(options, description, folder);
     const std::unique_ptr<Simulation> simulation = Simulation::resume(build(description), folder);
+    if (!options.settings.empty()) replace_file(folder.resolved_case(), resolved_case(description));
     return finish(*simulation, folder, options);
 }
 

@@ -32,7 +32,8 @@ void write_history(const fs::path& path, const HistoryTable& table)
 
 }  // namespace
 
-Ensemble::Ensemble(fs::path folder, std::uint64_t first_seed, int members) : folder_(std::move(folder))
+Ensemble::Ensemble(fs::path folder, std::uint64_t first_seed, int members, double end_time)
+    : folder_(std::move(folder)), end_time_(end_time)
 {
     for (int i = 0; i < members; ++i) seeds_.push_back(first_seed + static_cast<std::uint64_t>(i));
 }
@@ -62,8 +63,10 @@ void Ensemble::create(Existing existing) const
 
 bool Ensemble::is_done(std::uint64_t seed) const
 {
-    const fs::path summary = member(seed).summary();
-    return fs::exists(summary) && read_summary(summary).status == "done";
+    const fs::path path = member(seed).summary();
+    if (!fs::exists(path)) return false;
+    const RunSummary summary = read_summary(path);
+    return summary.status == "done" && summary.end_time >= end_time_ * (1 - 1e-9);
 }
 
 bool Ensemble::has_state(std::uint64_t seed) const
@@ -72,6 +75,14 @@ bool Ensemble::has_state(std::uint64_t seed) const
     if (!fs::exists(member(seed).resolved_case()) || !fs::is_directory(states)) return false;
     const fs::directory_iterator files(states);
     return std::any_of(begin(files), end(files), [](const auto& file) { return file.path().extension() == ".hdf"; });
+}
+
+double Ensemble::reached() const
+{
+    double latest = 0;
+    for (const std::uint64_t seed : seeds_)
+        if (fs::exists(member(seed).summary())) latest = std::max(latest, read_summary(member(seed).summary()).end_time);
+    return latest;
 }
 
 RunSummary Ensemble::write_results(const SampleTimes& times, const std::string& title, const std::string& status, const std::string& reason,

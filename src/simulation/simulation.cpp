@@ -321,6 +321,10 @@ void Simulation::take_up()
     const RestartFile file = RestartFolder(folder_.restart()).open_newest(remarks);
     file.restore(sets());
     clock_.restore(file.number("time"), file.number("duration"), file.number("previous_duration"), file.count("step"));
+    if (clock_.time() > model_->end_time * (1 + 1e-12))
+        throw InputError(
+            fmt::format("the run has come to {:.6g} s already, beyond the end time of {:.6g} s", clock_.time(), model_->end_time),
+            "expected a later end_time");
     model_->gas.step_limit = file.number("step_limit");
     steady_step_ = file.number("steady_step");
     model_->gas.collisions = file.count("collisions");

@@ -129,6 +129,19 @@ def check_going_on(folder):
     assert summary_of(folder / "cut")["ensemble"]["done"] == [1]  # nothing is left of the earlier one
 
 
+def check_going_further(folder):
+    """All members go on to a later end."""
+    assert "half way" in execute(folder, "resume", "whole", "--quiet", "--set", "ensemble=5", check=2)[2]
+    before = contents(folder / "whole")
+    assert "expected a later end_time" in execute(folder, "resume", "whole", "--quiet", "--set", "end_time=0.1 ms", check=2)[2]
+    assert contents(folder / "whole") == before
+    execute(folder, "resume", "whole", "--quiet", "--set", "end_time=0.22 ms", check=0)
+    summary = summary_of(folder / "whole")
+    assert summary["status"] == "done" and summary["ensemble"]["done"] == [1, 2, 3, 4]
+    assert all(abs(summary_of(folder / f"whole/seed_{k}")["end_time_s"] - 2.2e-4) < 1e-12 for k in range(1, 5))
+    assert abs(float(rows_of(folder / "whole")[-1]["time [s]"]) - 2.2e-4) < 1e-12
+
+
 def check_failure(folder):
     """A member that stops itself is told of; the others' results stay."""
     words = ["--set", "part.0.element.shell.thickness=0.02 mm", "--set", "part.0.material=elastic_steel", "--set", "end_time=1 ms", "--set", "charge.0.mass=5 kg", "--set", "ensemble=2"]
@@ -139,7 +152,7 @@ def check_failure(folder):
 
 def main():
     folder = fresh_folder({"case.toml": CASE_OF_FOUR})
-    for check in [check_check, check_run, check_means, check_history, check_member, check_refusal, check_going_on, check_failure]:
+    for check in [check_check, check_run, check_means, check_history, check_member, check_refusal, check_going_on, check_going_further, check_failure]:
         check(folder)
         print(f"{check.__name__}: as it should be", flush=True)
     shutil.rmtree(folder)

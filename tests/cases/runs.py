@@ -84,6 +84,21 @@ def check_safety(folder):
     assert any((folder / "torn/restart").iterdir())
 
 
+def check_going_further(folder):
+    """A run that is done goes on to a later end; what its state was made with stays as it is, and so does the folder when that is asked for."""
+    before, files = history_rows(folder / "t2"), contents(folder / "t2")
+    for words, pattern in [("gas.particles=3_000", "'gas.particles' cannot be changed half way"), ("part.0.material=copper", "cannot be changed"), ("end_time=0.1 ms", "expected a later end_time"), ("output.averags=3", "did you mean 'averages'")]:
+        assert pattern in execute(folder, "resume", "t2", "--quiet", "--set", words, check=2)[2], words
+        assert contents(folder / "t2") == files and history_rows(folder / "t2") == before, words
+    execute(folder, "resume", "t2", "--quiet", "--set", "end_time=0.3 ms", "--set", "output.fields_every=50 us", check=0)
+    summary = json.loads((folder / "t2/summary.json").read_text())
+    assert summary["status"] == "done" and abs(summary["end_time_s"] - 3e-4) < 1e-12
+    after = history_rows(folder / "t2")
+    assert after[:len(before)] == before and len(after) > len(before) + 5
+    assert "0.0003" in (folder / "t2/case.resolved.toml").read_text() or "0.3 ms" in (folder / "t2/case.resolved.toml").read_text()
+    execute(folder, "resume", "t2", "--quiet", check=0)
+
+
 def check_report(folder):
     (folder / "t1/report.html").unlink()
     execute(folder, "report", "t1", check=0)
@@ -92,7 +107,7 @@ def check_report(folder):
 
 def main():
     folder = fresh_folder({"case.toml": CASE})
-    for check in [check_run, check_refusal_and_force, check_resolved, check_threads, check_interrupt, check_safety, check_report]:
+    for check in [check_run, check_refusal_and_force, check_resolved, check_threads, check_interrupt, check_safety, check_going_further, check_report]:
         check(folder)
         print(f"{check.__name__}: as it should be", flush=True)
     shutil.rmtree(folder)

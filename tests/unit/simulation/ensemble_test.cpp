@@ -122,11 +122,12 @@ TEST(Ensemble, OfNoneThatIsDoneIsStillASummary)
 TEST(Ensemble, ClearsAwayAnOlderOnesMembers)
 {
     const ScratchFolder folder;
-    const Ensemble ensemble(folder / "all", 5, 2);
+    const Ensemble ensemble(folder / "all", 5, 2, 3e-3), longer(folder / "all", 5, 2, 4e-3);
     ensemble.create(Existing::refuse);
     std::filesystem::create_directories(ensemble.member(6).path());
     write_sample_run(ensemble.member(6).path());
     EXPECT_TRUE(ensemble.is_done(6));
+    EXPECT_FALSE(longer.is_done(6));
     EXPECT_FALSE(ensemble.is_done(5));
     EXPECT_THROW(ensemble.check(Existing::refuse), InputError);
     ensemble.create(Existing::replace);
