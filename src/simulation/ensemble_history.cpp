@@ -1,6 +1,7 @@
 #include "simulation/ensemble_history.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <set>
