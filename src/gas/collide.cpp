@@ -5,6 +5,7 @@
 #include <span>
 
 #include "gas/faces.hpp"
+#include "gas/hard_spheres.hpp"
 #include "laws/collision/hard_sphere.hpp"
 #include "laws/collision/larsen_borgnakke.hpp"
 #include "laws/collision/virial.hpp"
@@ -365,11 +366,13 @@ void run(Gas& gas, const Clock& clock, const FacetTree* walls)
 
 void collide(Gas& gas, const Clock& clock, const FacetTree& walls)
 {
+    if (gas.settings.rule == CollisionRule::hard_spheres) return collide_hard_spheres(gas, clock, walls);
     run(gas, clock, walls.size() == 0 ? nullptr : &walls);
 }
 
 void survey(Gas& gas)
 {
+    if (gas.settings.rule == CollisionRule::hard_spheres) return survey_hard_spheres(gas);
     run(gas, Clock{}, nullptr);
 }
 

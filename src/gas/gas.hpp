@@ -12,6 +12,12 @@
 
 namespace corpuscle {
 
+/// Ways to let particles collide.
+enum class CollisionRule {
+    displaced,     ///< pairs drawn within cells, displaced for co-volume and cold pressure
+    hard_spheres,  ///< spheres of finite radius that bounce along their line of centres
+};
+
 /// How the gas is computed; the defaults are what the theory manual justifies.
 struct GasSettings {
     std::uint64_t seed = 1;
@@ -20,6 +26,7 @@ struct GasSettings {
     double mean_free_path = 1.0;     ///< in local particle spacings (V/n)^(1/3)
     double relaxation = 2.0;         ///< collisions between two exchanges of translational and internal energy of a particle
     double cfl = 0.4;                ///< of the time step, in local spacings over 1.8 thermal speeds
+    CollisionRule rule = CollisionRule::displaced;
 };
 
 /// A particle near a surface, whose flight in this step is left to the contact that knows the surface.

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "gas/hard_spheres.hpp"
 #include "parallel/sort.hpp"
 
 namespace corpuscle {
@@ -70,7 +71,7 @@ GasSample evaluate(const Gas& gas, const Moments& moments, double volume)
             (moments.squared[s] - 2 * dot(result.velocity, moments.velocity[s]) + moments.count[s] * norm_squared(result.velocity));
         thermal += own;
         const double kinetic = 2.0 / 3.0 * own / volume;
-        result.pressure += kinetic + virial_pressure(gas.species[s].law, m * moments.count[s] / volume, kinetic);
+        result.pressure += kinetic + virial_pressure(gas, s, m * moments.count[s] / volume, kinetic);
         result.kinetic_pressure += kinetic;
     }
     result.energy = (thermal + moments.internal) / mass;
@@ -119,11 +120,12 @@ struct SpeciesShares {
 };
 
 /// Central differences of the law over a thousandth of the state.
-SpeciesShares shares_of(const Species& species, double density, double kinetic)
+SpeciesShares shares_of(const Gas& gas, std::size_t s, double density, double kinetic)
 {
+    const Species& species = gas.species[s];
     constexpr double step = 1e-3;
     SpeciesShares shares{species.particle_mass, species.molar_mass > 0 ? species.particle_mass / species.molar_mass : 0, 0, 1};
-    const auto virial = [&](double d, double k) { return virial_pressure(species.law, d, k); };
+    const auto virial = [&](double d, double k) { return virial_pressure(gas, s, d, k); };
     if (density > 0)
         shares.by_density = (virial(density * (1 + step), kinetic) - virial(density * (1 - step), kinetic)) / (2 * step * density);
     if (kinetic > 0)
@@ -142,7 +144,7 @@ std::vector<SpeciesShares> shares_of(const Gas& gas, const std::vector<std::uint
         kinetic[s] += mass * norm_squared(Vector3d(gas.particles[i].velocity) - velocity) / (3 * volume);
     }
     std::vector<SpeciesShares> shares;
-    for (std::size_t s = 0; s < gas.species.size(); ++s) shares.push_back(shares_of(gas.species[s], density[s], kinetic[s]));
+    for (std::size_t s = 0; s < gas.species.size(); ++s) shares.push_back(shares_of(gas, s, density[s], kinetic[s]));
     return shares;
 }
 

@@ -13,6 +13,7 @@ struct Species {
     double particle_mass = 0;      ///< [kg]
     double internal_freedoms = 0;  ///< zeta = (5 - 3 gamma)/(gamma - 1) of one particle
     double molar_mass = 0;         ///< of its molecules [kg/mol]; 0: not known, so it has no temperature
+    double radius = 0;             ///< of a particle as a hard sphere; unused by other rules of collision [m]
 };
 
 /// Internal degrees of freedom that give a gas the heat capacity ratio gamma, 1 < gamma <= 5/3 (equipartition).

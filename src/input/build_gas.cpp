@@ -6,9 +6,11 @@
 
 #include <fmt/format.h>
 
+#include "gas/hard_spheres.hpp"
 #include "input/gas_states.hpp"
 #include "input/placed.hpp"
 #include "input/shapes.hpp"
+#include "laws/collision/hard_spheres.hpp"
 
 namespace corpuscle {
 
@@ -189,6 +191,37 @@ void share_out(GasPlan& plan, const GasInput& input)
             static_cast<std::size_t>(std::llround(plan.masses[i] / plan.gas.species[plan.fills[i].species].particle_mass)));
 }
 
+/// Where a species' gas was named: in a charge, a fill or as the gas all around.
+const Place& species_place(const GasPlan& plan, const CaseDescription& description, std::uint32_t species)
+{
+    for (std::size_t i = 0; i < plan.gas.charges.size(); ++i)
+        if (plan.gas.charges[i].species == species) return description.charges[i].explosive.place;
+    const std::size_t background = description.gas->fill ? 1 : 0;
+    for (std::size_t i = 0; i < description.fills.size(); ++i)
+        if (plan.fills[background + i].species == species) return description.fills[i].gas.place;
+    return description.gas->fill->place;
+}
+
+/// Gives every species the radius of its spheres. Beyond an ambient edge no sphere pushes: all pressure there is of motion, so gas flows
+/// in as from gas that is denser by the spheres' pressure over their kinetic one.
+void make_spheres(GasPlan& plan, const CaseDescription& description, std::vector<std::string>& warnings)
+{
+    const GasInput& input = *description.gas;
+    for (std::uint32_t s = 0; s < plan.gas.species.size(); ++s) {
+        Species& species = plan.gas.species[s];
+        double densest = 0;
+        for (const Fill& fill : plan.fills)
+            if (fill.species == s) densest = std::max(densest, fill.density);
+        at_place(species_place(plan, description, s), [&] { species.radius = sphere_radius(species, input.packing, densest); });
+    }
+    if (plan.gas.ambient.density > 0) {
+        const Species& outside = plan.gas.species[plan.gas.ambient.species];
+        plan.gas.ambient.density *= carnahan_starling(sphere_packing(plan.gas.ambient.density / outside.particle_mass, outside.radius));
+    }
+    if (input.mean_free_path != GasInput{}.mean_free_path)
+        warnings.emplace_back("gas.mean_free_path has no effect with collision = \"hard_spheres\": the radius of the spheres sets it");
+}
+
 /// Does the shape hold any point of the triangle? Halved until its edges are shorter than `fine`.
 bool meets(const Shape& shape, const std::array<Vector3d, 3>& corner, double fine)
 {
@@ -238,6 +271,7 @@ GasPlan plan_gas(const CaseDescription& description, std::vector<std::string>& w
     plan.gas.settings.mean_free_path = input.mean_free_path;
     plan.gas.settings.relaxation = input.relaxation;
     plan.gas.settings.cfl = input.cfl;
+    plan.gas.settings.rule = input.collision;
     plan.gas.domain = make_domain(input);
     add_background(plan, input);
     add_fills(plan, description);
@@ -247,6 +281,7 @@ GasPlan plan_gas(const CaseDescription& description, std::vector<std::string>& w
     if (ambient && !input.fill)
         warnings.emplace_back("edges are \"ambient\" but [gas] has no fill: vacuum lies outside, so they act as \"open\"");
     share_out(plan, input);
+    if (input.collision == CollisionRule::hard_spheres) make_spheres(plan, description, warnings);
     return plan;
 }
 

@@ -4,7 +4,7 @@ import re
 import shutil
 import sys
 
-from program import CASE, contents, execute, fresh_folder, replaced
+from program import CASE, SOURCE, contents, execute, fresh_folder, replaced
 
 # A square of two triangles that stand apart (a hole all round), text STL.
 OPEN_STL = """solid open
@@ -38,6 +38,9 @@ FIX = "fix = [{ where = \"rim\", dof = \"all\" }, { where = \"x=0\", dof = \"sym
 def with_mesh(mesh):
     return replaced(FIX, "", replaced(DISK, mesh))
 
+
+SPHERES = replaced("fill = \"air\"", "fill = \"air\"\ncollision = \"hard_spheres\"")
+CROWDED = (SOURCE / "share/explosives/tnt_paper.toml").read_text().replace("co_volume = 0.3", "co_volume = 0.9")
 
 CHARGE = CASE[CASE.index("[[charge]]"):CASE.index("[gas]")]
 
@@ -75,6 +78,10 @@ MISTAKES = [
     ("charge cut by an edge", replaced("center = [0, 0, \"300 mm\"]", "center = [0, 0, \"590 mm\"]"), r"case\.toml:8:10: the charge sticks .* out of the gas box at z\+; expected"),
     ("unknown explosive", replaced("\"tnt\"", "\"tmt\""), r"case\.toml:5:13: unknown explosive 'tmt'; did you mean 'tnt'.*c4"),
     ("unknown gas", replaced("\"air\"", "\"aire\""), r"case\.toml:14:8: unknown gas 'aire'; did you mean 'air'"),
+    ("unknown rule of collision", replaced("fill = \"air\"", "fill = \"air\"\ncollision = \"spheres\""), r"case\.toml:15:13: collision = \"spheres\" is not known; .*hard_spheres"),
+    ("hard spheres with a cold pressure", SPHERES, r"case\.toml:5:13: hard spheres have no cold pressure, so 'tnt' .*; expected .*tnt_paper.*displaced"),
+    ("hard spheres that fill all space", replaced("\"tnt\"", "\"crowded\"", SPHERES), r"case\.toml:5:13: hard spheres for the co-volume 0\.9 of '\w+' .*; expected a co-volume of at most 0\.748", {"share/explosives/crowded.toml": CROWDED}),
+    ("packing beyond what is proved", replaced("fill = \"air\"", "fill = \"air\"\npacking = 0.2"), r"case\.toml:15:11: packing = 0\.2 is out of range; expected a number 0\.0001 to 0\.1"),
     ("unknown material", replaced("\"rha_steel\"", "\"rha_stele\""), r"case\.toml:20:12: unknown material 'rha_stele'; did you mean 'rha_steel'"),
     ("part with no mass", replaced("material = \"rha_steel\"", ""), r"case\.toml:16:\d+: part 'plate' has no material, so it has no mass; expected material"),
     ("no thickness", replaced("\"5 mm\"", "0"), r"case\.toml:19:\d+: thickness = 0 is out of range; expected a number > 0 m"),

@@ -50,12 +50,12 @@ def check_threads(folder):
     assert history_rows(folder / "t1") == history_rows(folder / "t2") == history_rows(folder / "t3")
 
 
-def interrupted_run(folder, number):
+def interrupted_run(folder, number, out="cut", words=("--set", "gas.particles=20_000")):
     """Starts a run, sends it a signal when its history has begun; gives the exit code."""
-    with subprocess.Popen([str(PROGRAM), "run", "case.toml", "--out", "cut", "--force", "--set", "gas.particles=20_000"], cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
+    with subprocess.Popen([str(PROGRAM), "run", "case.toml", "--out", out, "--force", *words], cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
         deadline = time.time() + 120
         while time.time() < deadline and process.poll() is None:
-            history = folder / "cut/history.csv"
+            history = folder / out / "history.csv"
             if history.exists() and len(history.read_text().splitlines()) > 3:
                 os.kill(process.pid, number)
                 break
@@ -73,6 +73,22 @@ def check_interrupt(folder):
     assert summary["status"] == "done" and abs(summary["end_time_s"] - 2e-4) < 1e-12
     execute(folder, "run", "case.toml", "--out", "whole", "--quiet", "--set", "gas.particles=20_000", check=0)
     assert history_rows(folder / "cut") == history_rows(folder / "whole")  # to the last bit
+
+
+def check_hard_spheres(folder):
+    """The other rule of collision: closed books, the same bits for any threads, and after a stop and a resume."""
+    words = ["--quiet", "--set", 'gas.collision="hard_spheres"', "--set", 'charge.0.explosive="tnt_paper"']
+    for threads in ("1", "3"):
+        execute(folder, "run", "case.toml", "--out", "s" + threads, *words, "--threads", threads, check=0)
+    assert history_rows(folder / "s1") == history_rows(folder / "s3")
+    assert history_rows(folder / "s1") != history_rows(folder / "t1")
+    ledger = json.loads((folder / "s1/summary.json").read_text())["ledger"]
+    assert abs(ledger["energy_error"]) < 1e-3 and abs(ledger["mass_error"]) < 1e-6 and abs(ledger["momentum_error"]) < 1e-5
+    fine = [*words, "--set", "gas.particles=20_000"]
+    assert interrupted_run(folder, signal.SIGTERM, "half", fine) == 130
+    execute(folder, "resume", "half", "--quiet", check=0)
+    execute(folder, "run", "case.toml", "--out", "unbroken", *fine, check=0)
+    assert history_rows(folder / "half") == history_rows(folder / "unbroken")  # to the last bit
 
 
 def check_safety(folder):
@@ -107,7 +123,7 @@ def check_report(folder):
 
 def main():
     folder = fresh_folder({"case.toml": CASE})
-    for check in [check_run, check_refusal_and_force, check_resolved, check_threads, check_interrupt, check_safety, check_going_further, check_report]:
+    for check in [check_run, check_refusal_and_force, check_resolved, check_threads, check_interrupt, check_hard_spheres, check_safety, check_going_further, check_report]:
         check(folder)
         print(f"{check.__name__}: as it should be", flush=True)
     shutil.rmtree(folder)

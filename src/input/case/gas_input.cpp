@@ -20,7 +20,8 @@ const std::vector<std::pair<std::string, Edge>>& words_of<Edge>()
 template <>
 const std::vector<std::pair<std::string, CollisionRule>>& words_of<CollisionRule>()
 {
-    static const std::vector<std::pair<std::string, CollisionRule>> words{{"displaced", CollisionRule::displaced}};
+    static const std::vector<std::pair<std::string, CollisionRule>> words{{"displaced", CollisionRule::displaced},
+                                                                          {"hard_spheres", CollisionRule::hard_spheres}};
     return words;
 }
 
@@ -104,15 +105,28 @@ const Table& table_of<GasInput>()
                  {"", from_to(0, 9e15), "Of the random numbers: another seed, another sample of the same gas.", "2"})
             .row("mean_free_path", &GasInput::mean_free_path,
                  {"", from_to(0.05, 100), "In local particle spacings; short compared with everything of interest.", "1"})
-            .row("collision", &GasInput::collision,
-                 {"",
-                  {},
-                  "How particles collide: `displaced` draws pairs within cells and displaces them for co-volume and JWL pressure.",
-                  "\"displaced\""})
+            .row(
+                "collision", &GasInput::collision,
+                {"",
+                 {},
+                 "How particles collide: `displaced` draws pairs within cells and displaces them for co-volume and JWL pressure; "
+                 "`hard_spheres` "
+                 "lets spheres of finite radius bounce where they touch (ideal and Noble-Abel gases only; `mean_free_path` has no effect).",
+                 "\"hard_spheres\""})
+            .row("packing", &GasInput::packing,
+                 {"", from_to(1e-4, 0.1),
+                  "With `hard_spheres`: share of the volume that spheres of a gas without co-volume fill where it is densest at the start. "
+                  "Its pressure is too high by about 4 times this share.",
+                  "0.01"})
             .row("relaxation", &GasInput::relaxation,
                  {"", from_to(1, 1000), "Collisions between two exchanges of translational and internal energy.", "2"})
             .row("cfl", &GasInput::cfl,
-                 {"", {0, 1, false, true}, "Time step, in the time the thermal speed takes through a local spacing.", "0.4"})
+                 {"",
+                  {0, 1, false, true},
+                  "Time step, in the time the thermal speed takes through a local spacing; of hard spheres in the time between two "
+                  "meetings, or "
+                  "the whole speed takes through a spacing.",
+                  "0.4"})
             .table();
     return table;
 }

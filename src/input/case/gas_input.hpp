@@ -45,9 +45,6 @@ struct EdgesInput {
     std::array<Edge, 2> z{Edge::ambient, Edge::ambient};
 };
 
-/// Ways to let particles collide.
-enum class CollisionRule { displaced };
-
 struct GasInput {
     BoxRanges box{};  ///< [m]
     EdgesInput edges;
@@ -56,6 +53,7 @@ struct GasInput {
     std::uint64_t seed = GasSettings{}.seed;
     double mean_free_path = GasSettings{}.mean_free_path;  ///< in local spacings
     CollisionRule collision = CollisionRule::displaced;
+    double packing = 0.01;  ///< of gas without co-volume, as hard spheres
     double relaxation = GasSettings{}.relaxation;
     double cfl = GasSettings{}.cfl;
     Places places;
