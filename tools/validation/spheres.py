@@ -31,7 +31,7 @@ def pressure_table(found):
 
 def plate_row(program, out, name, count, further, options):
     """One row of the plate's table: means and deviations over the seeds."""
-    runs, steps, pairs = [], [], []
+    runs, steps = [], []
     for seed in range(1, options.seeds + 1):
         folder = out / f"{''.join(c if c.isalnum() else '_' for c in name)}_{count}_{seed}"
         done = run(program, CASE, folder, settings(700, "tnt_paper", count, seed) + further, options.dry)
@@ -39,12 +39,10 @@ def plate_row(program, out, name, count, further, options):
             summary = json.loads((folder / "summary.json").read_text())
             runs.append(done)
             steps.append(summary["steps"])
-            pairs.append(summary["seconds"]["collide"])
     if not runs:
         return None
     peaks, impulses, _, cpus = zip(*runs)
-    return [name, f"{count:,}".replace(",", " "), str(len(runs)), spread(peaks, 1), spread(impulses, 0), f"{statistics.mean(steps):.0f}", f"{statistics.mean(cpus):.1f}",
-            f"{statistics.mean(pairs):.1f}"]
+    return [name, f"{count:,}".replace(",", " "), str(len(runs)), spread(peaks, 1), spread(impulses, 0), f"{statistics.mean(steps):.0f}", f"{statistics.mean(cpus):.1f}"]
 
 
 def make(build, out, options):
@@ -52,7 +50,7 @@ def make(build, out, options):
     program = build / "app/corpuscle"
     rows = [plate_row(program, out, name, count, further, options) for count in WHOLE_COUNTS if count <= options.most for name, further in RULES]
     rows += [plate_row(program, out, name, VARIED, further, options) for name, further in VARIATIONS if VARIED <= options.most]
-    head = ["collision", "particles, whole plate", "seeds", "first peak [mm]", "impulse, whole plate [N s]", "steps", "CPU [s]", "of it collide, wall [s]"]
+    head = ["collision", "particles, whole plate", "seeds", "first peak [mm]", "impulse, whole plate [N s]", "steps", "CPU [s]"]
     found = records([build / "tests/validate_spheres"], out / "spheres.jsonl", options.dry)
     if found or any(rows):
         write("spheres", pressure_table(found) + "\n\n" + table(head, [r for r in rows if r]))
