@@ -16,6 +16,7 @@ VARIATIONS = [
     ("hard_spheres, cfl 0.1", ['gas.collision="hard_spheres"', "gas.cfl=0.1"]),
     ("displaced, mean_free_path 3", ["gas.mean_free_path=3"]),
     ("displaced, mean_free_path 10", ["gas.mean_free_path=10"]),
+    ("displaced, mean_free_path 100", ["gas.mean_free_path=100"]),
 ]
 
 
