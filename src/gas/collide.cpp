@@ -2,14 +2,16 @@
 
 #include <algorithm>
 #include <limits>
+#include <numbers>
+#include <numeric>
 #include <span>
 
+#include "gas/dice.hpp"
 #include "gas/faces.hpp"
 #include "gas/hard_spheres.hpp"
 #include "laws/collision/hard_sphere.hpp"
 #include "laws/collision/larsen_borgnakke.hpp"
 #include "laws/collision/virial.hpp"
-#include "math/random.hpp"
 #include "parallel/loops.hpp"
 
 namespace corpuscle {
@@ -17,6 +19,17 @@ namespace corpuscle {
 namespace {
 
 constexpr std::size_t groups_per_chunk = 64;
+
+/// n^(-1/3).
+float inverse_cube_root(std::uint32_t n)
+{
+    static const auto table = [] {
+        std::array<float, 128> values{};
+        for (std::size_t k = 1; k < values.size(); ++k) values[k] = static_cast<float>(1 / std::cbrt(static_cast<double>(k)));
+        return values;
+    }();
+    return n < table.size() ? table[n] : 1 / std::cbrt(static_cast<float>(n));
+}
 
 /// Where the virial pressure is more than this part of the kinetic one, a group collides as one cell: in cells of few particles
 /// the law's convexity would turn the fluctuations of density into a false pressure.
@@ -30,10 +43,34 @@ enum class Virial { none, slight, stiff };
 /// What of a species the collisions need, in the kernel's precision.
 struct SpeciesView {
     float mass;
-    LarsenBorgnakke exchange;
     float stretch;  ///< of |g' - g| for what one particle's exchanges do to it
     const EquationOfState* law;
-    bool virial;  ///< whether the law has any virial pressure
+    bool virial;     ///< whether the law has any virial pressure
+    bool exchanges;  ///< whether there is internal energy
+};
+
+/// What a pair's collision needs of the masses of two species.
+struct PairView {
+    float share_a, share_b;  ///< of the pair's mass
+    float reduced;           ///< mass [kg]
+    float inverse_reduced;   ///< [1/kg]
+};
+
+/// The smaller share is what the larger leaves, without rounding: shares that do not add up to one would scale each pair's energy.
+PairView pair_view(float mass_a, float mass_b)
+{
+    const float larger = std::max(mass_a, mass_b) / (mass_a + mass_b), smaller = 1 - larger;
+    const float reduced = larger * std::min(mass_a, mass_b);
+    return {mass_a >= mass_b ? larger : smaller, mass_a >= mass_b ? smaller : larger, reduced, 1 / reduced};
+}
+
+/// The particles of a cell that can collide: all but explosive that waits.
+struct Members {
+    Particle* first;             ///< of the cell
+    const std::uint32_t* index;  ///< of each, from the cell's first
+    std::uint32_t count;
+
+    [[nodiscard]] Particle& operator[](std::uint32_t k) const { return first[index[k]]; }
 };
 
 /// Sums of one species in a cell; velocities relative to the cell's mean.
@@ -47,25 +84,25 @@ struct SpeciesSums {
 struct CellState {
     float particles = 0;
     float volume = 0;            ///< [m3]
+    float spacing = 0;           ///< (V/n)^(1/3) [m]
     float kinetic_pressure = 0;  ///< [Pa]
     float virial_pressure = 0;   ///< [Pa]
     float thermal_speed = 0;     ///< root mean square [m/s]
     float fastest_pair = 0;      ///< no pair is faster [m/s]
     float pair_energy = 0;       ///< mean of mu g^2, stretched, over pairs [J]
 
-    [[nodiscard]] float spacing() const { return std::cbrt(volume / particles); }
     [[nodiscard]] float enskog() const { return kinetic_pressure > 0 ? 1 + virial_pressure / kinetic_pressure : 1; }
 };
 
-/// Space that a thread works in.
+/// What a chunk of groups is worked on with.
 struct Workspace {
-    std::vector<Particle*> active;   ///< of a cell: all but explosive that waits
-    std::vector<SpeciesSums> sums;   ///< of a cell
-    std::vector<float> group_count;  ///< particles of each species in the group
-    std::vector<float> density;      ///< of each species in the group [kg/m3]
-    Virial virial = Virial::none;    ///< of the group
-
-    explicit Workspace(std::size_t species) : sums(species), group_count(species), density(species) {}
+    Dice dice;
+    std::vector<std::uint32_t> everyone;  ///< 0, 1, 2, ...
+    std::vector<std::uint32_t> active;    ///< members of a cell in which explosive waits
+    std::vector<SpeciesSums> sums;        ///< of a cell
+    std::vector<float> group_count;       ///< particles of each species in the group
+    std::vector<float> density;           ///< of each species in the group [kg/m3]
+    Virial virial = Virial::none;         ///< of the group
 };
 
 /// What a chunk of groups leaves behind.
@@ -92,12 +129,17 @@ public:
         : gas_(gas), clock_(clock), walls_(walls), duration_(static_cast<float>(clock.duration()))
     {
         exchange_threshold_ = static_cast<std::uint32_t>(65536 / gas.settings.relaxation);
+        const double rate = 1 / gas.settings.relaxation;
         for (const Species& species : gas.species) {
-            const double rate = 1 / gas.settings.relaxation;
-            species_.push_back({static_cast<float>(species.particle_mass), LarsenBorgnakke(species.internal_freedoms),
+            exchanges_.emplace_back(species.internal_freedoms);
+            species_.push_back({static_cast<float>(species.particle_mass),
                                 static_cast<float>(rate * (exchange_stretch(species.internal_freedoms) - 1)), &species.law,
-                                !std::holds_alternative<IdealGas>(species.law)});
+                                !std::holds_alternative<IdealGas>(species.law), exchanges_.back().exchanges()});
         }
+        for (const SpeciesView& of_a : species_) {
+            for (const SpeciesView& of_b : species_) pairs_.push_back(pair_view(of_a.mass, of_b.mass));
+        }
+        for (const Charge& charge : gas.charges) waiting_ = waiting_ || charge.unburnt > 0;
         has_virial_ = std::any_of(species_.begin(), species_.end(), [](const SpeciesView& s) { return s.virial; });
     }
 
@@ -105,7 +147,14 @@ public:
     Tally operator()(std::size_t begin, std::size_t end) const
     {
         Tally tally;
-        Workspace work(species_.size());
+        const std::size_t kinds = species_.size();
+        Workspace work{Dice(gas_.settings.seed, clock_.step(), begin, exchanges_),
+                       std::vector<std::uint32_t>(gas_.settings.group_limit),
+                       {},
+                       std::vector<SpeciesSums>(kinds),
+                       std::vector<float>(kinds),
+                       std::vector<float>(kinds)};
+        std::iota(work.everyone.begin(), work.everyone.end(), 0u);
         const auto& cells = gas_.cells.cells;
         const std::uint32_t first = gas_.cells.groups[begin].first;
         auto cell = std::lower_bound(cells.begin(), cells.end(), first, [](const Cell& c, std::uint32_t i) { return c.first < i; });
@@ -139,28 +188,31 @@ private:
         measure_densities(group, work);
         bool any = false;
         for (std::size_t s = 0; s < species_.size(); ++s) any = any || (species_[s].virial && work.group_count[s] > 1);
-        if (!any || !gather(group, work)) return;
+        if (!any) return;
+        const Members members = gather(group, work);
+        if (members.count < 2) return;
         work.virial = Virial::slight;
-        const CellState state = measure(work.active, volume_of(group, work), work);
+        const CellState state = measure(group, members, work);
         const float ratio = state.enskog() - 1;
         work.virial = ratio > stiff_ratio ? Virial::stiff : ratio > negligible_ratio ? Virial::slight : Virial::none;
     }
 
-    /// Lists what can collide in a cell; false if nothing can.
-    bool gather(const Cell& cell, Workspace& work) const
+    /// What can collide in a cell.
+    Members gather(const Cell& cell, Workspace& work) const
     {
-        work.active.clear();
-        for (std::uint32_t i = cell.first; i < cell.end(); ++i) {
-            if (!(gas_.particles[i].tag & particle_tag::unburnt)) work.active.push_back(&gas_.particles[i]);
+        Particle* const first = &gas_.particles[cell.first];
+        if (!waiting_) {
+            if (work.everyone.size() < cell.count) {
+                work.everyone.resize(cell.count);
+                std::iota(work.everyone.begin(), work.everyone.end(), 0u);
+            }
+            return {first, work.everyone.data(), cell.count};
         }
-        return work.active.size() >= 2;
-    }
-
-    /// Volume that the listed particles of a cell fill, explosive that waits taking its share [m3].
-    float volume_of(const Cell& cell, const Workspace& work) const
-    {
-        const double share = static_cast<double>(work.active.size()) / cell.count;
-        return static_cast<float>(gas_.cells.curve.volume(static_cast<int>(cell.depth)) * share);
+        work.active.clear();
+        for (std::uint32_t k = 0; k < cell.count; ++k) {
+            if (!(first[k].tag & particle_tag::unburnt)) work.active.push_back(k);
+        }
+        return {first, work.active.data(), static_cast<std::uint32_t>(work.active.size())};
     }
 
     /// Counts and partial densities of the species in a group, explosive that waits included: it fills its space.
@@ -175,51 +227,65 @@ private:
     /// Collides one cell. Returns how often per second a thermal particle crosses the local spacing, 0 if nothing moves [1/s].
     float collide_cell(const Cell& cell, Workspace& work, Tally& tally) const
     {
-        if (!gather(cell, work)) return 0;
-        const CellState state = measure(work.active, volume_of(cell, work), work);
+        const Members members = gather(cell, work);
+        if (members.count < 2) return 0;
+        const CellState state = measure(cell, members, work);
         if (!(state.thermal_speed > 0)) return 0;
-        if (duration_ > 0) draw_pairs(cell, work.active, state, tally);
-        return 1.8f * state.thermal_speed * std::sqrt(state.enskog()) / state.spacing();
+        if (duration_ > 0) draw_pairs(cell, members, state, work.dice, tally);
+        return 1.8f * state.thermal_speed * std::sqrt(state.enskog()) / state.spacing;
     }
 
-    /// Moments of a cell's particles and the pressures that follow.
-    CellState measure(const std::vector<Particle*>& active, float volume, Workspace& work) const
+    /// Moments of a cell's members and the pressures that follow. Explosive that waits takes its share of the cell's volume.
+    CellState measure(const Cell& cell, const Members& members, Workspace& work) const
     {
         CellState state;
-        std::vector<SpeciesSums>& sums = work.sums;
-        state.particles = static_cast<float>(active.size());
-        state.volume = volume;
+        const auto depth = static_cast<int>(cell.depth);
+        state.particles = static_cast<float>(members.count);
+        state.volume = static_cast<float>(gas_.cells.curve.volume(depth)) * (state.particles / static_cast<float>(cell.count));
+        state.spacing = gas_.cells.curve.side(depth) * inverse_cube_root(cell.count);
         float mass = 0;
         Vector3f momentum;
-        for (const Particle* p : active) {
-            const float m = species_[particle_tag::species(p->tag)].mass;
+        for (std::uint32_t k = 0; k < members.count; ++k) {
+            const float m = mass_of(members[k]);
             mass += m;
-            momentum += m * p->velocity;
+            momentum += m * members[k].velocity;
         }
         const Vector3f mean = momentum / mass;
 
-        std::fill(sums.begin(), sums.end(), SpeciesSums{});
-        float fastest = 0, second = 0;  // squared speeds
-        for (const Particle* p : active) {
-            const Vector3f c = p->velocity - mean;
-            const float squared = norm_squared(c);
-            SpeciesSums& own = sums[particle_tag::species(p->tag)];
-            own.count += 1;
-            own.velocity += c;
-            own.velocity_squared += squared;
-            second = std::max(second, std::min(squared, fastest));
-            fastest = std::max(fastest, squared);
+        float fastest = 0, second = 0, energy_twice = 0;  // squared speeds; sum of m c^2
+        for (std::uint32_t k = 0; k < members.count; ++k) {
+            const float squared = norm_squared(members[k].velocity - mean);
+            energy_twice += mass_of(members[k]) * squared;
+            const float lesser = squared < fastest ? squared : fastest;
+            second = lesser > second ? lesser : second;
+            fastest = squared > fastest ? squared : fastest;
         }
         state.fastest_pair = std::sqrt(fastest) + std::sqrt(second);
 
         // Of n particles seen from their own mean, n - 1 are free to move.
         const float bias = state.particles / (state.particles - 1);
-        float energy_twice = 0;
-        for (std::size_t s = 0; s < sums.size(); ++s) energy_twice += species_[s].mass * sums[s].velocity_squared;
-        state.kinetic_pressure = bias * energy_twice / (3 * volume);
+        state.kinetic_pressure = bias * energy_twice / (3 * state.volume);
         state.thermal_speed = std::sqrt(bias * energy_twice / mass);
-        if (work.virial != Virial::none) add_virial(state, work);
+        if (work.virial != Virial::none) {
+            sum_species(members, mean, work);
+            add_virial(state, work);
+        }
         return state;
+    }
+
+    [[nodiscard]] float mass_of(const Particle& particle) const { return species_[particle_tag::species(particle.tag)].mass; }
+
+    /// Sums of each species of a cell whose particles move at `mean` together.
+    void sum_species(const Members& members, const Vector3f& mean, Workspace& work) const
+    {
+        std::fill(work.sums.begin(), work.sums.end(), SpeciesSums{});
+        for (std::uint32_t k = 0; k < members.count; ++k) {
+            const Vector3f c = members[k].velocity - mean;
+            SpeciesSums& own = work.sums[particle_tag::species(members[k].tag)];
+            own.count += 1;
+            own.velocity += c;
+            own.velocity_squared += norm_squared(c);
+        }
     }
 
     /// Virial pressure of the cell's species, each by its own law and partial density, and the pairs' mean energy.
@@ -251,9 +317,9 @@ private:
     }
 
     /// Draws candidate pairs and collides those that are accepted.
-    void draw_pairs(const Cell& cell, const std::vector<Particle*>& active, const CellState& state, Tally& tally) const
+    void draw_pairs(const Cell& cell, const Members& members, const CellState& state, Dice& dice, Tally& tally) const
     {
-        const float path = static_cast<float>(gas_.settings.mean_free_path) * state.spacing() / state.enskog();
+        const float path = mean_free_path(state);
         const float wanted = candidate_pairs(state.particles, state.fastest_pair, duration_, path);
         const float candidates = std::min(wanted, 2 * state.particles);
         float length = 0;
@@ -263,60 +329,68 @@ private:
             const float changes = rate * (4.0f / 3.0f) * state.pair_energy * surviving_displacement(meetings);
             length = displacement_length(state.virial_pressure, state.volume, duration_, changes);
         }
-        Random random(gas_.settings.seed, Purpose::collide, clock_.step(), cell.first);
         const bool near_wall = walls_ && is_near_wall(cell);
-        const auto count = static_cast<std::uint32_t>(active.size());
-        auto left = static_cast<std::uint32_t>(candidates + random.uniform());
-        for (; left > 0; --left) {
-            const std::uint32_t word = random.word();
-            const std::uint32_t i = ((word >> 16) * count) >> 16;
-            std::uint32_t j = ((word & 0xFFFFu) * (count - 1)) >> 16;
+        const float scale = state.fastest_pair * state.fastest_pair;
+        for (auto left = static_cast<std::uint32_t>(candidates + unit_float(dice.word())); left > 0; --left) {
+            const std::uint32_t word = dice.word();
+            const std::uint32_t i = ((word >> 16) * members.count) >> 16;
+            std::uint32_t j = ((word & 0xFFFFu) * (members.count - 1)) >> 16;
             j += j >= i;
-            Particle &a = *active[i], &b = *active[j];
+            Particle &a = members[i], &b = members[j];
             const Vector3f relative = a.velocity - b.velocity;
-            const float speed = norm(relative);
-            if (random.uniform() * state.fastest_pair >= speed) continue;
+            const float speed_squared = norm_squared(relative), bar = unit_float(dice.word());
+            if (bar * bar * scale >= speed_squared) continue;
             if (near_wall && walls_->separates(Vector3d(a.position), Vector3d(b.position))) continue;
-            const Vector3f change = scatter(a, b, relative, speed, random);
+            const Vector3f change = scatter(a, b, relative, speed_squared, dice);
             ++tally.collisions;
             if (length != 0) displace(a, b, change, length, tally);
         }
     }
 
+    /// Mean free path in a cell [m].
+    float mean_free_path(const CellState& state) const
+    {
+        const auto cross_section = static_cast<float>(gas_.settings.cross_section);
+        const float thin = cross_section > 0 ? state.volume / (std::numbers::sqrt2_v<float> * state.particles * cross_section)
+                                             : static_cast<float>(gas_.settings.mean_free_path) * state.spacing;
+        return thin / state.enskog();
+    }
+
     /// Whether a facet may stand between particles of the cell.
     bool is_near_wall(const Cell& cell) const
     {
-        const Vector3f middle(gas_.cells.curve.cell(gas_.cells.keys[cell.first], static_cast<int>(cell.depth)).center());
+        const std::uint64_t key = gas_.cells.curve.key(gas_.particles[cell.first].position);
+        const Vector3f middle(gas_.cells.curve.cell(key, static_cast<int>(cell.depth)).center());
         return walls_->clearance(middle) <= gas_.cells.curve.radius(static_cast<int>(cell.depth));
     }
 
     /// One collision: energy shared with the internal freedoms of those that exchange, then a new direction of the relative
     /// velocity. Returns the change of the relative velocity g' - g.
-    Vector3f scatter(Particle& a, Particle& b, const Vector3f& relative, float speed, Random& random) const
+    Vector3f scatter(Particle& a, Particle& b, const Vector3f& relative, float speed_squared, Dice& dice) const
     {
-        const SpeciesView &of_a = species_[particle_tag::species(a.tag)], &of_b = species_[particle_tag::species(b.tag)];
-        const float mass = of_a.mass + of_b.mass;
-        const float share_a = of_a.mass / mass, share_b = of_b.mass / mass;
-        const float reduced = of_a.mass * share_b;
-        const std::uint32_t word = random.word();
-        float energy = 0.5f * reduced * speed * speed;
-        const float before = energy;
-        if (of_a.exchange.exchanges() && (word >> 16) < exchange_threshold_) exchange(a, of_a.exchange, energy, random);
-        if (of_b.exchange.exchanges() && (word & 0xFFFFu) < exchange_threshold_) exchange(b, of_b.exchange, energy, random);
-        const float new_speed = energy == before ? speed : std::sqrt(2 * energy / reduced);
-        const Vector3f mean = share_a * a.velocity + share_b * b.velocity;
-        const Vector3f new_relative = new_speed * random.direction();
-        a.velocity = mean + share_b * new_relative;
-        b.velocity = mean - share_a * new_relative;
+        const std::uint32_t kind_a = particle_tag::species(a.tag), kind_b = particle_tag::species(b.tag);
+        const PairView& pair = pairs_[kind_a * species_.size() + kind_b];
+        const std::uint32_t word = dice.word();
+        const bool exchange_a = (word >> 16) < exchange_threshold_ && species_[kind_a].exchanges;
+        const bool exchange_b = (word & 0xFFFFu) < exchange_threshold_ && species_[kind_b].exchanges;
+        if (exchange_a || exchange_b) {
+            float energy = 0.5f * pair.reduced * speed_squared;
+            if (exchange_a) exchange(a, dice.internal_share(kind_a), energy);
+            if (exchange_b) exchange(b, dice.internal_share(kind_b), energy);
+            speed_squared = 2 * energy * pair.inverse_reduced;
+        }
+        const Vector3f mean = pair.share_a * a.velocity + pair.share_b * b.velocity;
+        const Vector3f new_relative = std::sqrt(speed_squared) * dice.direction();
+        a.velocity = mean + pair.share_b * new_relative;
+        b.velocity = mean - pair.share_a * new_relative;
         return new_relative - relative;
     }
 
-    /// Shares `energy`, the pair's relative motion, with the particle's internal energy.
-    static void exchange(Particle& particle, const LarsenBorgnakke& law, float& energy, Random& random)
+    /// Shares `energy`, the pair's relative motion, with the particle's internal energy, which gets `share` of both.
+    static void exchange(Particle& particle, float share, float& energy)
     {
         const float pool = energy + particle.energy;
-        const float first = random.uniform();
-        particle.energy = pool * law.internal_share(first, random.uniform());
+        particle.energy = pool * share;
         energy = pool - particle.energy;
     }
 
@@ -348,7 +422,10 @@ private:
     float duration_;
     std::uint32_t exchange_threshold_ = 0;
     bool has_virial_ = false;
+    bool waiting_ = false;  ///< some explosive waits
+    std::vector<LarsenBorgnakke> exchanges_;
     std::vector<SpeciesView> species_;
+    std::vector<PairView> pairs_;  ///< by species of the one times the number of species plus that of the other
 };
 
 void run(Gas& gas, const Clock& clock, const FacetTree* walls)

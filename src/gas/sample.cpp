@@ -311,6 +311,32 @@ Field array_field(std::string name, std::string unit, std::string meaning, doubl
 
 static_assert(sizeof(Passage) == 5 * sizeof(double));
 
+/// The buckets of the last sort: the order within a cell is that of the past, so the next sort must begin where it left off. Their depths
+/// say where they are, for they fill the domain in the order of the curve.
+void add_buckets(FieldSet& set, Cells& cells, const Box& box)
+{
+    const std::size_t count = cells.buckets.size();
+    Field depth = derived_field<std::uint32_t>("bucket_depth", "1", "how often the domain was halved", count,
+                                               [&cells](std::size_t b) { return cells.buckets[b].depth; });
+    depth.restore = [&cells, box](const void* values, std::size_t saved) {
+        cells.curve = CellCurve(box);
+        cells.buckets.assign(saved, {});
+        std::uint64_t key = 0;
+        for (std::size_t b = 0; b < saved; ++b) {
+            cells.buckets[b].depth = static_cast<const std::uint32_t*>(values)[b];
+            cells.buckets[b].start_key = key;
+            key += CellCurve::keys_of(static_cast<int>(cells.buckets[b].depth));
+        }
+    };
+    Field first = derived_field<std::uint32_t>("bucket_first", "1", "first particle", count,
+                                               [&cells](std::size_t b) { return cells.buckets[b].first; });
+    first.restore = [&cells](const void* values, std::size_t saved) {
+        for (std::size_t b = 0; b < saved; ++b) cells.buckets[b].first = static_cast<const std::uint32_t*>(values)[b];
+    };
+    set.fields.push_back(std::move(depth));
+    set.fields.push_back(std::move(first));
+}
+
 }  // namespace
 
 FieldSet state(Gas& gas)
@@ -337,8 +363,8 @@ FieldSet state(Gas& gas)
         for (const Particle& particle : gas.particles) {
             if (particle.tag & particle_tag::unburnt) ++gas.charges[particle_tag::charge(particle.tag)].unburnt;
         }
-        gas.cells.buckets.clear();
     };
+    add_buckets(set, gas.cells, gas.domain.box);
     return set;
 }
 

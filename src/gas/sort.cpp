@@ -1,242 +1,338 @@
 #include "gas/sort.hpp"
 
 #include <algorithm>
-#include <cstring>
-#include <numeric>
+#include <bit>
+#include <cmath>
 
+#include "gas/divide.hpp"
 #include "parallel/sort.hpp"
 
 namespace corpuscle {
 
 namespace {
 
-constexpr std::uint32_t bucket_limit = 1024;
+/// A bucket holds about a thousand particles: what is sorted in cache.
+DivisionLimits limits_of(const GasSettings& settings)
+{
+    const std::uint32_t group = std::max(settings.group_limit, settings.cell_limit);
+    return {settings.cell_limit, group, std::max(1024u, 2 * group)};
+}
 
-/// What a bucket keeps and what comes to it.
-struct Moves {
-    std::vector<std::uint32_t> kept;   ///< particles that stay, by bucket
-    std::vector<Particle> movers;      ///< in the order they were found
-    std::vector<std::uint32_t> order;  ///< of the movers by bucket
-    std::vector<std::uint32_t> start;  ///< first in `order` of each bucket, and the end
-};
+using Places = std::vector<std::uint32_t>;
 
 std::size_t bucket_count(const Cells& cells)
 {
     return cells.buckets.size() - 1;
 }
 
-/// Index of the bucket whose stretch of the curve holds the key.
-std::uint32_t bucket_of(const Cells& cells, std::uint64_t key)
+template <class T>
+std::size_t bytes(const std::vector<T>& values)
 {
-    const auto after = std::upper_bound(cells.buckets.begin(), cells.buckets.end() - 1, key,
-                                        [](std::uint64_t k, const Bucket& bucket) { return k < bucket.start_key; });
-    return static_cast<std::uint32_t>(after - cells.buckets.begin()) - 1;
+    return values.capacity() * sizeof(T);
 }
 
-/// Closes up one bucket's particles that stay in it, and hands those that leave to `movers`. Returns how many stay.
-std::uint32_t pick_movers(Gas& gas, std::size_t bucket, std::vector<Particle>& movers)
-{
-    Cells& cells = gas.cells;
-    const std::uint64_t lowest = cells.buckets[bucket].start_key, beyond = cells.buckets[bucket + 1].start_key;
-    const std::uint32_t first = cells.buckets[bucket].first, end = cells.buckets[bucket + 1].first;
-    std::uint32_t next = first;
-    for (std::uint32_t i = first; i < end; ++i) {
-        const Particle& particle = gas.particles[i];
-        if (particle.tag & particle_tag::gone) continue;
-        const std::uint64_t key = cells.curve.key(particle.position);
-        if (key < lowest || key >= beyond) {
-            movers.push_back(particle);
-            continue;
+/// Finds the bucket that a key is in: a table over the leading bits, then halving.
+class BucketFinder {
+public:
+    explicit BucketFinder(const std::vector<Bucket>& buckets) : buckets_(buckets)
+    {
+        const std::size_t count = buckets.size() - 1;
+        const int bits = std::min(20, static_cast<int>(std::bit_width(count)) + 1);
+        shift_ = CellCurve::depth_limit - bits;
+        first_.resize((std::size_t{1} << bits) + 1);
+        std::uint32_t bucket = 0;
+        for (std::size_t t = 0; t + 1 < first_.size(); ++t) {
+            while (bucket + 1 < count && buckets[bucket + 1].start_key <= t << shift_) ++bucket;
+            first_[t] = bucket;
         }
-        if (next != i) gas.particles[next] = particle;
-        cells.keys[next++] = key;
+        first_.back() = static_cast<std::uint32_t>(count - 1);
     }
-    return next - first;
+
+    [[nodiscard]] std::uint32_t operator()(std::uint64_t key) const
+    {
+        const std::size_t t = key >> shift_;
+        std::uint32_t low = first_[t], high = first_[t + 1];
+        while (low < high) {
+            const std::uint32_t middle = (low + high + 1) / 2;
+            if (buckets_[middle].start_key <= key) {
+                low = middle;
+            } else {
+                high = middle - 1;
+            }
+        }
+        return low;
+    }
+
+private:
+    const std::vector<Bucket>& buckets_;
+    int shift_ = 0;
+    std::vector<std::uint32_t> first_;  ///< bucket in which the keys with these leading bits begin
+};
+
+/// Particles that change their bucket, newcomers included.
+struct Movers {
+    std::vector<Particle> particles;
+    Places bucket;  ///< of each
+    Places order;   ///< of the particles by bucket
+    Places start;   ///< first in `order` of each bucket, and the end
+
+    void add(const Particle& particle, std::uint32_t to)
+    {
+        particles.push_back(particle);
+        bucket.push_back(to);
+    }
+    [[nodiscard]] std::uint32_t coming_to(std::size_t b) const { return start[b + 1] - start[b]; }
+};
+
+/// Lists the particles that leave a bucket and marks them as gone there. Returns how many stay.
+std::uint32_t pick_movers(Gas& gas, std::size_t b, const BucketFinder& find, Movers& movers)
+{
+    const CellCurve& curve = gas.cells.curve;
+    const Bucket& bucket = gas.cells.buckets[b];
+    const std::uint32_t end = gas.cells.buckets[b + 1].first;
+    const CellCurve::Extent extent = curve.extent(bucket.start_key, static_cast<int>(bucket.depth));
+    std::uint32_t kept = 0;
+    for (std::uint32_t i = bucket.first; i < end; ++i) {
+        Particle& particle = gas.particles[i];
+        const CellCurve::Steps place = curve.steps(particle.position);
+        const bool stays = extent.holds(place) & !(particle.tag & particle_tag::gone);
+        kept += stays;
+        if (stays || particle.tag & particle_tag::gone) continue;
+        movers.add(particle, find(curve.key(place)));
+        particle.tag |= particle_tag::gone;
+    }
+    return kept;
 }
 
-/// Takes newcomers, which stand behind the sorted particles, as movers.
-void pick_newcomers(const Gas& gas, std::vector<Particle>& movers)
+/// Lists newcomers, which stand behind the sorted particles.
+void pick_newcomers(const Gas& gas, const BucketFinder& find, Movers& movers)
 {
     for (std::size_t i = gas.cells.buckets.back().first; i < gas.particles.size(); ++i) {
         const Particle& particle = gas.particles[i];
-        if (!(particle.tag & particle_tag::gone)) movers.push_back(particle);
+        if (!(particle.tag & particle_tag::gone)) movers.add(particle, find(gas.cells.curve.key(particle.position)));
     }
 }
 
-/// Finds who leaves which bucket and where to.
-Moves find_moves(Gas& gas)
+/// Joins lists in their order.
+Movers join(const std::vector<Movers>& lists)
 {
-    Moves moves;
-    const std::size_t buckets = bucket_count(gas.cells);
-    moves.kept.resize(buckets);
-    const std::size_t parts = part_count(buckets, 8);
-    std::vector<std::vector<Particle>> found(parts);
+    std::vector<std::size_t> start;
+    for (const Movers& list : lists) start.push_back(list.particles.size());
+    const std::size_t total = exclusive_scan(start);
+    Movers all;
+    all.particles.resize(total);
+    all.bucket.resize(total);
+    for_each_part(lists.size(), lists.size(), [&](std::size_t part, std::size_t, std::size_t) {
+        std::copy(lists[part].particles.begin(), lists[part].particles.end(),
+                  all.particles.begin() + static_cast<std::ptrdiff_t>(start[part]));
+        std::copy(lists[part].bucket.begin(), lists[part].bucket.end(), all.bucket.begin() + static_cast<std::ptrdiff_t>(start[part]));
+    });
+    return all;
+}
+
+/// Finds who leaves which bucket and where to, and how many stay in each.
+Movers find_movers(Gas& gas, Places& kept)
+{
+    const BucketFinder find(gas.cells.buckets);
+    const std::size_t buckets = bucket_count(gas.cells), parts = part_count(buckets, 8);
+    std::vector<Movers> lists(parts);
     for_each_part(buckets, parts, [&](std::size_t part, std::size_t begin, std::size_t end) {
-        for (std::size_t b = begin; b < end; ++b) moves.kept[b] = pick_movers(gas, b, found[part]);
+        for (std::size_t b = begin; b < end; ++b) kept[b] = pick_movers(gas, b, find, lists[part]);
     });
-    pick_newcomers(gas, found.back());
-
-    std::size_t held = 0;
-    for (const auto& list : found) held += list.capacity() * sizeof(Particle);
-    moves.movers = std::move(found[0]);
-    for (std::size_t part = 1; part < parts; ++part) moves.movers.insert(moves.movers.end(), found[part].begin(), found[part].end());
-    moves.order.resize(moves.movers.size());
-    moves.start = stable_counting_sort(
-        moves.movers.size(), buckets, [&](std::size_t i) { return bucket_of(gas.cells, gas.cells.curve.key(moves.movers[i].position)); },
-        [&](std::size_t i, std::uint32_t position) { moves.order[position] = static_cast<std::uint32_t>(i); });
-    gas.cells.sort_bytes = held + (parts > 1 ? moves.movers.capacity() * sizeof(Particle) : 0) +
-                           (moves.kept.size() + moves.order.size() + moves.start.size()) * sizeof(std::uint32_t);
-    return moves;
-}
-
-/// Moves what each bucket keeps to the bucket's new place. Neighbours that move the same way form a chain, which is moved from
-/// its far end on; chains do not touch each other's places.
-void shift_buckets(Gas& gas, const std::vector<std::uint32_t>& kept, const std::vector<std::uint32_t>& new_first)
-{
-    const std::vector<Bucket>& buckets = gas.cells.buckets;
-    const auto shift = [&](std::size_t b) {
-        const std::uint32_t from = buckets[b].first, to = new_first[b];
-        if (from == to || kept[b] == 0) return;
-        std::memmove(&gas.particles[to], &gas.particles[from], kept[b] * sizeof(Particle));
-        std::memmove(&gas.cells.keys[to], &gas.cells.keys[from], kept[b] * sizeof(std::uint64_t));
-    };
-    const auto upward = [&](std::size_t b) { return new_first[b] > buckets[b].first; };
-    std::vector<std::uint32_t> chains;  // first bucket of each
-    for (std::size_t b = 0; b < kept.size(); ++b) {
-        if (b == 0 || upward(b) != upward(b - 1)) chains.push_back(static_cast<std::uint32_t>(b));
+    pick_newcomers(gas, find, lists.back());
+    gas.cells.sort_bytes = 0;
+    if (parts > 1) {
+        for (const Movers& list : lists) gas.cells.sort_bytes += bytes(list.particles) + bytes(list.bucket);
     }
-    chains.push_back(static_cast<std::uint32_t>(kept.size()));
-    for_each_dynamic(chains.size() - 1, 1, [&](std::size_t c) {
-        if (upward(chains[c])) {
-            for (std::size_t b = chains[c + 1]; b-- > chains[c];) shift(b);
-        } else {
-            for (std::size_t b = chains[c]; b < chains[c + 1]; ++b) shift(b);
-        }
-    });
+    Movers movers = parts > 1 ? join(lists) : std::move(lists[0]);
+    movers.order.resize(movers.particles.size());
+    movers.start = stable_counting_sort(
+        movers.particles.size(), buckets, [&](std::size_t i) { return movers.bucket[i]; },
+        [&](std::size_t i, std::uint32_t position) { movers.order[position] = static_cast<std::uint32_t>(i); });
+    gas.cells.sort_bytes += bytes(movers.particles) + bytes(movers.bucket) + bytes(movers.order) + bytes(movers.start) + bytes(kept);
+    return movers;
 }
 
-/// Space for sorting one bucket, kept by its thread.
-struct Scratch {
-    std::vector<std::uint32_t> bin_start;
-    std::vector<std::uint32_t> order;
-    std::vector<std::uint64_t> keys;
-    std::vector<Particle> particles;
+/// Joins neighbouring halves that together will hold few: buckets are split as they fill, and so united as they empty. Compacts with them
+/// the buckets' new first particles and first movers.
+void unite(std::vector<Bucket>& buckets, Places& new_first, Places& first_mover, std::uint32_t limit)
+{
+    std::size_t united = 0;  // buckets so far
+    for (std::size_t b = 0; b + 1 < buckets.size(); ++b) {
+        buckets[united] = buckets[b];
+        new_first[united] = new_first[b];
+        first_mover[united] = first_mover[b];
+        for (++united; united > 1; --united) {
+            const Bucket &left = buckets[united - 2], &right = buckets[united - 1];
+            const bool halves =
+                left.depth == right.depth && CellCurve::common_depth(left.start_key, right.start_key) == static_cast<int>(left.depth) - 1;
+            if (!halves || new_first[b + 1] - new_first[united - 2] > limit / 2) break;
+            --buckets[united - 2].depth;
+        }
+    }
+    const auto close = [&](auto& values) {
+        values[united] = values.back();
+        values.resize(united + 1);
+    };
+    close(buckets);
+    close(new_first);
+    close(first_mover);
+}
+
+/// Sorts the buckets [begin, end) in place: their particles' old places and new ones overlap. Buckets that move up are sorted from
+/// the last to the first, then those that move down from the first to the last: so none is written over another's old particles
+/// before those are sorted. What other segments write over is saved beforehand.
+class Segment {
+public:
+    Segment(Gas& gas, const Movers& movers, const Places& new_first, std::size_t begin, std::size_t end)
+        : gas_(gas), movers_(movers), new_first_(new_first), begin_(begin), end_(end), pieces_(end - begin)
+    {
+        const std::vector<Bucket>& old = gas.cells.buckets;
+        const std::uint32_t first = old[begin].first, beyond = old[end].first;
+        head_end_ = std::clamp(new_first[begin], first, beyond);
+        tail_begin_ = std::clamp(new_first[end], head_end_, beyond);
+        head_.assign(&gas.particles[first], &gas.particles[head_end_]);
+        tail_.assign(&gas.particles[tail_begin_], &gas.particles[beyond]);
+    }
+
+    void sort()
+    {
+        Divider divider(gas_.cells.curve, limits_of(gas_.settings));
+        const auto moves_up = [&](std::size_t b) { return new_first_[b] > gas_.cells.buckets[b].first; };
+        for (std::size_t b = end_; b-- > begin_;) {
+            if (moves_up(b)) sort_bucket(b, divider);
+        }
+        for (std::size_t b = begin_; b < end_; ++b) {
+            if (!moves_up(b)) sort_bucket(b, divider);
+        }
+    }
+
+    /// Where the pieces of each bucket begin among those of their kind.
+    struct Piece {
+        std::size_t cells = 0, groups = 0, buckets = 0;
+        std::size_t cell_count = 0, group_count = 0, bucket_count = 0;
+    };
+    [[nodiscard]] const std::vector<Piece>& pieces() const { return pieces_; }
+    [[nodiscard]] const Division& division() const { return division_; }
+    [[nodiscard]] std::size_t saved_bytes() const { return bytes(head_) + bytes(tail_); }
+
+private:
+    void sort_bucket(std::size_t b, Divider& divider)
+    {
+        const Bucket& bucket = gas_.cells.buckets[b];
+        take_old(bucket.first, gas_.cells.buckets[b + 1].first, divider);
+        for (std::uint32_t k = movers_.start[b]; k < movers_.start[b + 1]; ++k) divider.take(movers_.particles[movers_.order[k]]);
+        Piece& piece = pieces_[b - begin_];
+        piece = {division_.cells.size(), division_.groups.size(), division_.buckets.size()};
+        divider.divide(bucket.start_key, static_cast<int>(bucket.depth), gas_.particles.data() + new_first_[b], new_first_[b], division_);
+        piece.cell_count = division_.cells.size() - piece.cells;
+        piece.group_count = division_.groups.size() - piece.groups;
+        piece.bucket_count = division_.buckets.size() - piece.buckets;
+    }
+
+    /// Takes the particles that stay of old places [first, end), some of which may have been saved.
+    void take_old(std::uint32_t first, std::uint32_t end, Divider& divider) const
+    {
+        const std::uint32_t segment_first = gas_.cells.buckets[begin_].first;
+        const std::uint32_t in_head = std::clamp(head_end_, first, end), in_tail = std::clamp(tail_begin_, in_head, end);
+        divider.take_remaining(head_.data() + (first - segment_first), in_head - first);
+        divider.take_remaining(gas_.particles.data() + in_head, in_tail - in_head);
+        if (end > in_tail) divider.take_remaining(tail_.data() + (in_tail - tail_begin_), end - in_tail);
+    }
+
+    Gas& gas_;
+    const Movers& movers_;
+    const Places& new_first_;
+    std::size_t begin_, end_;
+    std::uint32_t head_end_ = 0, tail_begin_ = 0;
+    std::vector<Particle> head_, tail_;
+    Division division_;
+    std::vector<Piece> pieces_;
 };
 
-/// Sorts `order` by key: by the leading bits into about as many bins as keys, then within each bin.
-void order_by_key(const std::uint64_t* keys, std::uint32_t count, Scratch& scratch)
+/// Puts together what the segments have cut, in the order of the buckets.
+void gather_pieces(Cells& cells, const std::vector<Segment>& segments, std::uint32_t particles)
 {
-    const auto [least, most] = std::minmax_element(keys, keys + count);
-    const std::uint64_t lowest = *least, range = *most - lowest;
-    int shift = 0;
-    while (range >> shift >= count) ++shift;
-    const std::size_t bins = static_cast<std::size_t>(range >> shift) + 1;
-    scratch.bin_start.assign(bins + 1, 0);
-    scratch.order.resize(count);
-    for (std::uint32_t i = 0; i < count; ++i) ++scratch.bin_start[(keys[i] - lowest) >> shift];
-    std::exclusive_scan(scratch.bin_start.begin(), scratch.bin_start.end(), scratch.bin_start.begin(), 0u);
-    for (std::uint32_t i = 0; i < count; ++i) scratch.order[scratch.bin_start[(keys[i] - lowest) >> shift]++] = i;
-    if (shift == 0) return;
-    const auto before = [keys](std::uint32_t a, std::uint32_t b) { return keys[a] < keys[b] || (keys[a] == keys[b] && a < b); };
-    std::uint32_t begin = 0;
-    for (std::size_t bin = 0; bin < bins; ++bin) {
-        const std::uint32_t end = scratch.bin_start[bin];
-        if (end - begin > 1) std::sort(scratch.order.begin() + begin, scratch.order.begin() + end, before);
-        begin = end;
+    std::vector<Segment::Piece> start;
+    Segment::Piece total;
+    for (const Segment& segment : segments) {
+        start.push_back(total);
+        total.cells += segment.division().cells.size();
+        total.groups += segment.division().groups.size();
+        total.buckets += segment.division().buckets.size();
     }
-}
-
-/// Sorts the run of particles [first, end) and their keys.
-void sort_run(Gas& gas, std::uint32_t first, std::uint32_t end, Scratch& scratch)
-{
-    const std::uint32_t count = end - first;
-    if (count < 2) return;
-    Particle* particles = &gas.particles[first];
-    std::uint64_t* keys = &gas.cells.keys[first];
-    order_by_key(keys, count, scratch);
-    scratch.particles.resize(count);
-    scratch.keys.resize(count);
-    for (std::uint32_t i = 0; i < count; ++i) {
-        scratch.particles[i] = particles[scratch.order[i]];
-        scratch.keys[i] = keys[scratch.order[i]];
-    }
-    std::copy(scratch.particles.begin(), scratch.particles.end(), particles);
-    std::copy(scratch.keys.begin(), scratch.keys.end(), keys);
-}
-
-/// Brings the movers into their buckets and sorts every bucket.
-void settle(Gas& gas, const Moves& moves, const std::vector<std::uint32_t>& first)
-{
-    for_each_dynamic(moves.kept.size(), 8, [&](std::size_t b) {
-        thread_local Scratch scratch;
-        std::uint32_t next = first[b] + moves.kept[b];
-        for (std::uint32_t k = moves.start[b]; k < moves.start[b + 1]; ++k, ++next) {
-            const Particle& mover = moves.movers[moves.order[k]];
-            gas.particles[next] = mover;
-            gas.cells.keys[next] = gas.cells.curve.key(mover.position);
+    cells.cells.resize(total.cells);
+    cells.groups.resize(total.groups);
+    cells.buckets.resize(total.buckets);
+    for_each_dynamic(segments.size(), 1, [&](std::size_t s) {
+        Segment::Piece at = start[s];
+        const Division& division = segments[s].division();
+        for (const Segment::Piece& piece : segments[s].pieces()) {
+            std::copy_n(&division.cells[piece.cells], piece.cell_count, &cells.cells[at.cells]);
+            std::copy_n(&division.groups[piece.groups], piece.group_count, &cells.groups[at.groups]);
+            std::copy_n(&division.buckets[piece.buckets], piece.bucket_count, &cells.buckets[at.buckets]);
+            at.cells += piece.cell_count;
+            at.groups += piece.group_count;
+            at.buckets += piece.bucket_count;
         }
-        sort_run(gas, first[b], next, scratch);
     });
+    cells.buckets.push_back({CellCurve::keys_of(0), particles, 0});
 }
 
-/// Sorts everything from any order: the first time, and when more particles move than stay.
-void sort_from_scratch(Gas& gas)
+/// Gives every particle one bucket to begin with: buckets of equal size, into which particles are swapped in place. The first time only.
+void make_buckets(Gas& gas)
 {
-    std::erase_if(gas.particles, [](const Particle& particle) { return particle.tag & particle_tag::gone; });
+    std::vector<Particle>& particles = gas.particles;
+    std::erase_if(particles, [](const Particle& particle) { return particle.tag & particle_tag::gone; });
+    gas.cells.curve = CellCurve(gas.domain.box);
     const CellCurve& curve = gas.cells.curve;
-    std::sort(gas.particles.begin(), gas.particles.end(),
-              [&](const Particle& a, const Particle& b) { return curve.key(a.position) < curve.key(b.position); });
-    gas.cells.keys.resize(gas.particles.size());
-    for_each(gas.particles.size(), [&](std::size_t i) { gas.cells.keys[i] = curve.key(gas.particles[i].position); });
-}
-
-/// Sorts particles most of which are still in their bucket.
-void sort_again(Gas& gas)
-{
-    const Moves moves = find_moves(gas);
-    std::vector<std::uint32_t> first(moves.kept.size());
-    for (std::size_t b = 0; b < first.size(); ++b) first[b] = moves.kept[b] + moves.start[b + 1] - moves.start[b];
-    const std::uint32_t total = exclusive_scan(first);
-    if (total > gas.particles.size()) gas.particles.resize(total);
-    gas.cells.keys.resize(std::max<std::size_t>(gas.cells.keys.size(), total));
-    shift_buckets(gas, moves.kept, first);
-    gas.particles.resize(total);
-    gas.cells.keys.resize(total);
-    settle(gas, moves, first);
-}
-
-/// Cuts the sorted particles into cells, groups and the buckets of the next sort.
-void cut_all(Gas& gas)
-{
-    Cells& cells = gas.cells;
-    cells.cells = cut(cells.keys, gas.settings.cell_limit);
-    cells.groups = cut(cells.keys, std::max(gas.settings.group_limit, gas.settings.cell_limit));
-    const std::vector<Cell> runs = cut(cells.keys, bucket_limit);
-    cells.buckets.clear();
-    for (const Cell& run : runs) cells.buckets.push_back({CellCurve::first_key(cells.keys[run.first], run.depth), run.first});
-    if (cells.buckets.empty()) cells.buckets.push_back({0, 0});
-    cells.buckets.front().start_key = 0;
-    cells.buckets.push_back({~std::uint64_t{0}, static_cast<std::uint32_t>(cells.keys.size())});
+    const int depth = std::min(16, static_cast<int>(std::bit_width(particles.size() / limits_of(gas.settings).bucket)));
+    const auto bucket_of = [&](const Particle& particle) { return curve.key(particle.position) >> (CellCurve::depth_limit - depth); };
+    Places next(std::size_t{1} << depth);
+    for (const Particle& particle : particles) ++next[bucket_of(particle)];
+    exclusive_scan(next);
+    std::vector<Bucket> buckets;
+    for (const std::uint32_t first : next)
+        buckets.push_back({buckets.size() * CellCurve::keys_of(depth), first, static_cast<std::uint32_t>(depth)});
+    buckets.push_back({CellCurve::keys_of(0), static_cast<std::uint32_t>(particles.size()), 0});
+    for (std::size_t b = 0; b + 1 < buckets.size(); ++b) {
+        while (next[b] < buckets[b + 1].first) {
+            const std::size_t home = bucket_of(particles[next[b]]);
+            if (home == b) {
+                ++next[b];
+            } else {
+                std::swap(particles[next[b]], particles[next[home]++]);
+            }
+        }
+    }
+    gas.cells.buckets = std::move(buckets);
 }
 
 }  // namespace
 
 void sort(Gas& gas)
 {
-    if (gas.particles.empty() && gas.cells.keys.empty()) return;
-    if (gas.cells.buckets.size() < 2) {
-        gas.cells.curve = CellCurve(gas.domain.box);
-        sort_from_scratch(gas);
-    } else {
-        sort_again(gas);
-    }
-    cut_all(gas);
+    if (gas.cells.buckets.empty()) make_buckets(gas);
+    Places new_first(bucket_count(gas.cells) + 1, 0);
+    Movers movers = find_movers(gas, new_first);
+    for (std::size_t b = 0; b + 1 < new_first.size(); ++b) new_first[b] += movers.coming_to(b);
+    const std::uint32_t total = exclusive_scan(new_first);
+    gas.particles.resize(std::max<std::size_t>(gas.particles.size(), total));
+    unite(gas.cells.buckets, new_first, movers.start, limits_of(gas.settings).bucket);
+
+    const std::size_t buckets = bucket_count(gas.cells);
+    const std::size_t count = std::clamp<std::size_t>(buckets / 8, 1, 8 * static_cast<std::size_t>(thread_count()));
+    std::vector<Segment> segments;
+    for (std::size_t s = 0; s < count; ++s) segments.emplace_back(gas, movers, new_first, buckets * s / count, buckets * (s + 1) / count);
+    for_each_dynamic(count, 1, [&](std::size_t s) { segments[s].sort(); });
+    for (const Segment& segment : segments) gas.cells.sort_bytes += segment.saved_bytes();
+    gas.particles.resize(total);
+    gather_pieces(gas.cells, segments, total);
 }
 
 std::size_t resident_bytes(const Gas& gas)
 {
-    const auto bytes = [](const auto& values) { return values.size() * sizeof(values[0]); };
-    return bytes(gas.particles) + bytes(gas.cells.keys) + bytes(gas.cells.cells) + bytes(gas.cells.groups) + bytes(gas.cells.buckets);
+    return bytes(gas.particles) + bytes(gas.cells.cells) + bytes(gas.cells.groups) + bytes(gas.cells.buckets);
 }
 
 }  // namespace corpuscle

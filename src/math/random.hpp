@@ -26,14 +26,25 @@ enum class Purpose : std::uint32_t { fill = 1, collide = 2, inflow = 3, contact 
     return (static_cast<double>(bits) + 0.5) * 0x1p-52;
 }
 
+/// Key of the streams of a purpose.
+[[nodiscard]] inline std::array<std::uint32_t, 2> stream_key(std::uint64_t seed, Purpose purpose)
+{
+    return {static_cast<std::uint32_t>(seed) ^ (static_cast<std::uint32_t>(purpose) << 24),
+            static_cast<std::uint32_t>(seed >> 32) + static_cast<std::uint32_t>(purpose) * 0x9E3779B9u};
+}
+
+/// First counter of the stream of (step, index); the first word counts on.
+[[nodiscard]] inline std::array<std::uint32_t, 4> stream_counter(std::uint64_t step, std::uint64_t index)
+{
+    return {0, static_cast<std::uint32_t>(index), static_cast<std::uint32_t>(step),
+            static_cast<std::uint32_t>(index >> 32) ^ static_cast<std::uint32_t>(step >> 32) << 16};
+}
+
 /// A stream of random numbers that belongs to (seed, purpose, step, index) and to nothing else: the same on any thread.
 class Random {
 public:
     Random(std::uint64_t seed, Purpose purpose, std::uint64_t step, std::uint64_t index)
-        : key_{static_cast<std::uint32_t>(seed) ^ (static_cast<std::uint32_t>(purpose) << 24),
-               static_cast<std::uint32_t>(seed >> 32) + static_cast<std::uint32_t>(purpose) * 0x9E3779B9u},
-          counter_{0, static_cast<std::uint32_t>(index), static_cast<std::uint32_t>(step),
-                   static_cast<std::uint32_t>(index >> 32) ^ static_cast<std::uint32_t>(step >> 32) << 16}
+        : key_(stream_key(seed, purpose)), counter_(stream_counter(step, index))
     {
     }
 

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "math/fast.hpp"
+
 namespace corpuscle {
 
 /// Exchange of energy between the relative motion of a pair and the internal freedoms of one of its particles
@@ -26,7 +28,7 @@ struct LarsenBorgnakke {
     /// Internal share of the common energy from two uniform numbers in (0, 1).
     [[nodiscard]] float internal_share(float uniform_1, float uniform_2) const
     {
-        return std::exp(std::log(uniform_1) * inverse_shape + std::log(uniform_2) * inverse_shape_next);
+        return fast_exp2(fast_log2(uniform_1) * inverse_shape + fast_log2(uniform_2) * inverse_shape_next);
     }
 };
 

@@ -132,5 +132,41 @@ TEST(CellCurve, in_a_cube_it_is_mortons)
     }
 }
 
+TEST(CellCurve, extent_of_a_box_holds_its_places_and_no_others)
+{
+    Random random(8, Purpose::fill, 0, 0);
+    for (const Box& box : boxes) {
+        const CellCurve curve(box);
+        for (int i = 0; i < 300; ++i) {
+            const Vector3f a = random_point(box, random), b = random_point(box, random);
+            for (const int depth : {0, 1, 2, 3, 5, 8, 13, 40, 63}) {
+                const CellCurve::Extent extent = curve.extent(CellCurve::first_key(curve.key(a), depth), depth);
+                EXPECT_TRUE(extent.holds(curve.steps(a)));
+                EXPECT_EQ(extent.holds(curve.steps(b)), CellCurve::common_depth(curve.key(a), curve.key(b)) >= depth);
+            }
+        }
+    }
+}
+
+TEST(CurveBranch, numbers_boxes_as_the_key_does)
+{
+    Random random(9, Purpose::fill, 0, 0);
+    CurveBranch branch;
+    for (const Box& box : boxes) {
+        const CellCurve curve(box);
+        for (const int depth : {0, 4, 17, 50, 63}) {
+            for (const int levels : {0, 1, 5, CurveBranch::level_limit}) {
+                if (depth + levels > CellCurve::depth_limit) continue;
+                branch.set(curve, depth, levels);
+                for (int i = 0; i < 50; ++i) {
+                    const Vector3f point = random_point(box, random);
+                    const std::uint64_t in_box = curve.key(point) & (CellCurve::keys_of(depth) - 1);
+                    EXPECT_EQ(branch.index(curve.steps(point)), in_box >> (CellCurve::depth_limit - depth - levels));
+                }
+            }
+        }
+    }
+}
+
 }  // namespace
 }  // namespace corpuscle
