@@ -63,9 +63,21 @@ private:
         add_settings(resume, "Change end_time or a key of output: key=value, such as end_time=\"4 ms\"");
         CLI::App* report = add("report", "Make report.html again", report_command);
         report->add_option("folder", options_.subject, "A folder of results")->required();
+        add_radial(add("radial", "Solve a case's one spherical charge in free gas, in one dimension", radial_command));
         CLI::App* check = add("check", "Everything but the steps: masses, counts, memory, expected time, warnings", check_command);
         check->add_option("case", options_.subject, "The case (.toml)")->required();
         add_settings(check);
+    }
+
+    void add_radial(CLI::App* radial)
+    {
+        radial->add_option("case", options_.subject, "The case (.toml)")->required();
+        radial->add_option("--at", options_.at,
+                           "Distances from the charge's center [m], such as 0.5,1,2 (default: those of the sphere gauges)");
+        radial->add_option("--cells", options_.cells, "Cells in a radius of the charge (default: 100)")->check(CLI::Range(10, 2000));
+        radial->add_option("--out", options_.out, "Folder for history.csv and profile.csv (default: nothing is written)");
+        radial->add_flag("--force", options_.force, "Replace earlier results");
+        add_settings(radial);
     }
 
     void add_settings(CLI::App* sub, const std::string& meaning = "Change a value: key=value, such as charge.0.mass=\"20 kg\"")

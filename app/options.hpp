@@ -12,6 +12,8 @@ struct Options {
     std::vector<std::string> settings;  ///< --set key=value
     std::string out;                    ///< --out, empty: chosen
     int threads = 0;                    ///< 0: as many as the machine has
+    std::string at;                     ///< --at, distances such as 0.5,1,2 [m]
+    double cells = 100;                 ///< --cells
     bool quiet = false;
     bool force = false;
     bool markdown = false;

@@ -30,7 +30,12 @@ void print_gas(const GasPlan& plan)
     fmt::print("{}", table.text());
     const auto [least, most] = std::minmax_element(plan.gas.species.begin(), plan.gas.species.end(),
                                                    [](const Species& a, const Species& b) { return a.particle_mass < b.particle_mass; });
-    fmt::print("heaviest over lightest particle: {:.3g}\n\n", most->particle_mass / least->particle_mass);
+    fmt::print("heaviest over lightest particle: {:.3g}\n", most->particle_mass / least->particle_mass);
+    if (plan.start)
+        fmt::print(
+            "the run starts at {:.4g} ms: the blast, solved in one dimension, has then reached {:.4g} m of {:.4g} m to what it meets\n",
+            1e3 * plan.start->time, plan.start->front, plan.start->obstacle);
+    fmt::print("\n");
 }
 
 double mass_of(const Structure& structure, const Part& part)

@@ -11,6 +11,7 @@ int run_command(const Options& options);
 int resume_command(const Options& options);
 int report_command(const Options& options);
 int check_command(const Options& options);
+int radial_command(const Options& options);
 int new_command(const Options& options);
 int list_command(const Options& options);
 int explain_command(const Options& options);

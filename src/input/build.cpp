@@ -111,9 +111,11 @@ OutputSettings make_output(const CaseDescription& description)
 
 std::unique_ptr<Model> build(const CaseDescription& description, CaseSurvey& survey)
 {
+    const double start_time = survey.gas && survey.gas->start ? survey.gas->start->time : 0;
     Gas gas = survey.gas ? at_place(description.gas->places.own, [&] { return fill_gas(std::move(*survey.gas)); }) : Gas{};
     auto model = std::make_unique<Model>(std::move(gas), std::move(survey.structure));
     model->title = description.title;
+    model->start_time = start_time;
     model->end_time = description.end_time;
     model->output = make_output(description);
     for (const LoadInput& load : description.loads) add_load(*model, load);

@@ -245,6 +245,25 @@ bool meets(const Shape& shape, const std::array<Vector3d, 3>& corner, double fin
     return meets(shape, {a, middle, c}, fine) || meets(shape, {middle, b, c}, fine);
 }
 
+/// Fills the gas around a blast that has been solved in one dimension, and the blast itself: nothing waits any more.
+Gas fill_from_sphere(GasPlan plan)
+{
+    const SphericalStart& start = *plan.start;
+    for (std::size_t i = 0; i < plan.fills.size(); ++i) {
+        Fill& own = plan.fills[i];
+        if (own.charge >= 0) {
+            fill_radial(plan.gas, start.gas[0], plan.counts[i]);
+        } else if (i == 0) {
+            own.cut_by.back() = Shape::sphere(start.gas[1].center, start.edge);
+            fill(plan.gas, own, plan.counts[i] - start.inner_particles);
+            fill_radial(plan.gas, start.gas[1], start.inner_particles);
+        } else {
+            fill(plan.gas, own, plan.counts[i]);
+        }
+    }
+    return std::move(plan.gas);
+}
+
 }  // namespace
 
 EquationOfState make_law(const LawValues& values, double density)
@@ -307,6 +326,7 @@ void check_charges_apart(const GasPlan& plan, const Structure& structure, const 
 Gas fill_gas(GasPlan plan)
 {
     plan.gas.particles.reserve(plan.particles());
+    if (plan.start) return fill_from_sphere(std::move(plan));
     for (std::size_t i = 0; i < plan.fills.size(); ++i) fill(plan.gas, plan.fills[i], plan.counts[i]);
     return std::move(plan.gas);
 }

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "gas/fill.hpp"
 #include "input/case/case_description.hpp"
+#include "input/spherical_start.hpp"
 #include "structure/structure.hpp"
 
 namespace corpuscle {
@@ -19,6 +21,7 @@ struct GasPlan {
     std::vector<double> masses;       ///< of each fill within the domain [kg]
     std::vector<std::size_t> counts;  ///< particles of each fill
     std::vector<Shape> charge_shapes;
+    std::optional<SphericalStart> start;  ///< if the particles begin from the blast in one dimension
 
     [[nodiscard]] std::size_t particles() const;
 };

@@ -85,6 +85,8 @@ CaseSurvey survey_case(const CaseDescription& description)
     survey.memory = check_room(description, survey);
     warn_of_room(survey);
     if (survey.gas) check_charges_apart(*survey.gas, survey.structure, description);
+    if (survey.gas && description.gas->start == StartRule::spherical)
+        survey.gas->start = solve_spherical_start(*survey.gas, survey.structure, description);
     return survey;
 }
 

@@ -22,7 +22,8 @@ public:
     Model& operator=(const Model&) = delete;
 
     std::string title;
-    double end_time = 0;  ///< [s]
+    double start_time = 0;  ///< when the run begins: later than 0 where the blast's first part was solved beforehand [s]
+    double end_time = 0;    ///< [s]
 
     Gas gas;
     Structure structure;

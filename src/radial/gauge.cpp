@@ -26,24 +26,26 @@ void RadialGauge::record(const RadialFlow& flow)
     if (flow.edges()[flow.disturbed()] >= radius) samples.push_back(sample(flow, radius));
 }
 
-BlastMeasures measure_blast(const std::vector<RadialSample>& samples, double ambient_pressure)
+BlastMeasures measure_blast(const std::vector<RadialSample>& samples, double ambient_pressure, double noise)
 {
     BlastMeasures measures;
     const auto over = [&](std::size_t i) { return samples[i].pressure - ambient_pressure; };
-    std::size_t i = 0, peak = 0;
-    for (; i < samples.size() && (over(peak) <= 1e-3 * ambient_pressure || over(i) > 0.8 * over(peak)); ++i)
+    std::size_t peak = 0;
+    for (std::size_t i = 0; i < samples.size() && (over(peak) <= noise || over(i) > 0.5 * over(peak)); ++i)
         if (over(i) > over(peak)) peak = i;
-    if (samples.empty() || over(peak) <= 1e-3 * ambient_pressure) return measures;
+    if (samples.empty() || over(peak) <= noise) return measures;
     measures.overpressure = over(peak);
-    std::size_t first = 0;
-    while (over(first) < 0.5 * over(peak)) ++first;
-    measures.arrival = samples[first].time;
-    for (i = 1; i < samples.size(); ++i) {
-        measures.complete = i > peak && over(i) <= 0;
-        if (measures.complete) break;
+    std::size_t foot = peak;
+    while (foot > 0 && over(foot) > 0) --foot;
+    std::size_t arrived = foot;
+    while (over(arrived) < 0.5 * over(peak)) ++arrived;
+    measures.arrival = samples[arrived].time;
+    std::size_t i = foot + 1;
+    for (; i < samples.size() && !measures.complete; ++i) {
         measures.impulse += 0.5 * std::max(0.0, over(i) + over(i - 1)) * (samples[i].time - samples[i - 1].time);
+        measures.complete = i > peak && over(i) <= 0;
     }
-    measures.duration = samples[std::min(i, samples.size() - 1)].time - measures.arrival;
+    measures.duration = samples[i - 1].time - measures.arrival;
     return measures;
 }
 

@@ -77,7 +77,7 @@ void add_vector(HistorySource& source, const std::string& owner, const std::stri
 
 Gauges::Gauges(const Model& model)
     : model_(model),
-      time_(model.gauges.size()),
+      time_(model.gauges.size(), model.start_time),
       impulse_(model.gauges.size()),
       variance_(model.gauges.size()),
       force_(model.gauges.size()),
@@ -168,13 +168,13 @@ void Gauges::sample_region(std::size_t index, double time, std::span<double> val
 {
     const RegionGauge& region = std::get<RegionGauge>(model_.gauges[index].place);
     const GasSample gas = sample(model_.gas, region.shape, region.volume);
-    if (time == 0) {
+    if (time == model_.start_time) {
         first_[index] = last_[index] = gas.pressure;
         first_error_[index] = last_error_[index] = gas.error.pressure;
     }
     integrate(index, gas, region.volume, time - time_[index]);
     time_[index] = time;
-    const double of_first = time * first_error_[index];
+    const double of_first = (time - model_.start_time) * first_error_[index];
     Columns columns(values);
     columns << gas.pressure << gas.error.pressure << impulse_[index] << std::sqrt(variance_[index] + of_first * of_first);
     columns << gas.density << gas.error.density << gas.kinetic_pressure << gas.error.kinetic_pressure;

@@ -74,6 +74,7 @@ void Simulation::begin()
     sort(model_->gas);
     survey(model_->gas);
     model_->ledger.open(model_->held(0));
+    clock_.restore(model_->start_time, 0, 0, 0);
 }
 
 void Simulation::step()

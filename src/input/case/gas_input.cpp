@@ -26,6 +26,14 @@ const std::vector<std::pair<std::string, CollisionRule>>& words_of<CollisionRule
 }
 
 template <>
+const std::vector<std::pair<std::string, StartRule>>& words_of<StartRule>()
+{
+    static const std::vector<std::pair<std::string, StartRule>> words{{"detonation", StartRule::detonation},
+                                                                      {"spherical", StartRule::spherical}};
+    return words;
+}
+
+template <>
 const Table& table_of<DetonationInput>()
 {
     static const Table table =
@@ -118,6 +126,13 @@ const Table& table_of<GasInput>()
                   "With `hard_spheres`: share of the volume that spheres of a gas without co-volume fill where it is densest at the start. "
                   "Its pressure is too high by about 4 times this share.",
                   "0.01"})
+            .row("start", &GasInput::start,
+                 {"",
+                  {},
+                  "How the particles begin: `detonation` at time 0 with unburnt explosive; `spherical` when the blast of one ball of "
+                  "explosive, lit at "
+                  "its center and solved in one dimension until then, nears the first thing it meets.",
+                  "\"spherical\""})
             .row("relaxation", &GasInput::relaxation,
                  {"", from_to(1, 1000), "Collisions between two exchanges of translational and internal energy.", "2"})
             .row("cfl", &GasInput::cfl,

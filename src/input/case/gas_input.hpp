@@ -45,6 +45,9 @@ struct EdgesInput {
     std::array<Edge, 2> z{Edge::ambient, Edge::ambient};
 };
 
+/// How the particles begin: at time 0 with the explosive unburnt, or from the blast solved in one dimension.
+enum class StartRule { detonation, spherical };
+
 struct GasInput {
     BoxRanges box{};  ///< [m]
     EdgesInput edges;
@@ -54,6 +57,7 @@ struct GasInput {
     double mean_free_path = GasSettings{}.mean_free_path;  ///< in local spacings
     CollisionRule collision = CollisionRule::displaced;
     double packing = 0.01;  ///< of gas without co-volume, as hard spheres
+    StartRule start = StartRule::detonation;
     double relaxation = GasSettings{}.relaxation;
     double cfl = GasSettings{}.cfl;
     Places places;
@@ -75,6 +79,8 @@ template <>
 const std::vector<std::pair<std::string, Edge>>& words_of<Edge>();
 template <>
 const std::vector<std::pair<std::string, CollisionRule>>& words_of<CollisionRule>();
+template <>
+const std::vector<std::pair<std::string, StartRule>>& words_of<StartRule>();
 template <>
 const Table& table_of<DetonationInput>();
 template <>

@@ -100,18 +100,19 @@ TEST(RadialGauge, reads_straight_lines_between_cells)
 
 TEST(BlastMeasures, of_a_record_made_by_hand)
 {
-    // Ambient 100: a rise to 300, a fall through 100 at 5, a second shock that does not count.
+    // Ambient 100: a rise to 300, a fall to 100 at 5, a second shock that does not count.
     const std::vector<RadialSample> samples{{0, 100, 1, 0}, {1, 190, 1, 0}, {2, 300, 1, 0}, {3, 200, 1, 0},
                                             {4, 150, 1, 0}, {5, 100, 1, 0}, {6, 80, 1, 0},  {7, 500, 1, 0}};
-    const BlastMeasures measures = measure_blast(samples, 100);
+    const BlastMeasures measures = measure_blast(samples, 100, 1);
     EXPECT_EQ(measures.overpressure, 200);
     EXPECT_EQ(measures.arrival, 2);
-    EXPECT_EQ(measures.impulse, 45 + 145 + 150 + 75);
+    EXPECT_EQ(measures.impulse, 45 + 145 + 150 + 75 + 25);
     EXPECT_EQ(measures.duration, 3);
     EXPECT_TRUE(measures.complete);
-    EXPECT_FALSE(measure_blast({samples.begin(), samples.begin() + 4}, 100).complete);
-    EXPECT_EQ(measure_blast({samples.begin(), samples.begin() + 1}, 100).overpressure, 0);
-    EXPECT_EQ(measure_blast({}, 100).overpressure, 0);
+    EXPECT_EQ(measure_blast(samples, 100, 300).overpressure, 400);
+    EXPECT_FALSE(measure_blast({samples.begin(), samples.begin() + 4}, 100, 1).complete);
+    EXPECT_EQ(measure_blast({samples.begin(), samples.begin() + 1}, 100, 1).overpressure, 0);
+    EXPECT_EQ(measure_blast({}, 100, 1).overpressure, 0);
 }
 
 }  // namespace

@@ -138,7 +138,7 @@ Wave tnt_wave(double cells)
     });
     EXPECT_NEAR(flow.contents().energy() / energy, 1, 1e-12);
     Wave wave;
-    for (int i = 0; i < 3; ++i) wave.at[i] = measure_blast(gauges[i].samples, air_pressure);
+    for (int i = 0; i < 3; ++i) wave.at[i] = measure_blast(gauges[i].samples, air_pressure, 1e3);
     return wave;
 }
 
