@@ -10,6 +10,7 @@
 #include "input/gas_states.hpp"
 #include "input/placed.hpp"
 #include "input/shapes.hpp"
+#include "input/unlike_masses.hpp"
 #include "laws/collision/hard_spheres.hpp"
 
 namespace corpuscle {
@@ -301,6 +302,9 @@ GasPlan plan_gas(const CaseDescription& description, std::vector<std::string>& w
         warnings.emplace_back("edges are \"ambient\" but [gas] has no fill: vacuum lies outside, so they act as \"open\"");
     share_out(plan, input);
     if (input.collision == CollisionRule::hard_spheres) make_spheres(plan, description, warnings);
+    std::vector<double> masses;
+    for (std::uint32_t s = 0; s < plan.gas.species.size(); ++s) masses.push_back(species_sum(plan, s, plan.masses));
+    warn_of_unlike_masses(plan.gas.species, masses, warnings);
     return plan;
 }
 
