@@ -44,7 +44,7 @@ inline double pair_distance_squared(const Gas& gas)
     double sum = 0, weight = 0;
     for (const Cell& cell : gas.cells.cells) {
         if (cell.count < 2) continue;
-        const Vector3d size = gas.cells.curve.cell(gas.cells.keys[cell.first], static_cast<int>(cell.depth)).size();
+        const Vector3d size = gas.cells.curve.cell(0, static_cast<int>(cell.depth)).size();
         // Pairs drawn: (n - 1)/(V/n)^(1/3).
         const double drawn = (cell.count - 1.0) * std::cbrt(cell.count / gas.cells.curve.volume(static_cast<int>(cell.depth)));
         sum += drawn * (size.x * size.x + size.y * size.y) / 12;
