@@ -30,7 +30,7 @@ TEST(NormalShock, mach_2)
 }
 TEST(NormalShock, mach_8)
 {
-    expect_thickness({.mach = 8, .path = 8, .width = 8, .formed = 11, .end = 20}, 0.435);
+    expect_thickness({.mach = 8, .path = 8, .width = 10, .formed = 11, .end = 22}, 0.435);
 }
 
 }  // namespace
