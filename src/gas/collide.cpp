@@ -53,7 +53,6 @@ struct SpeciesView {
 struct PairView {
     float share_a, share_b;  ///< of the pair's mass
     float reduced;           ///< mass [kg]
-    float inverse_reduced;   ///< [1/kg]
 };
 
 /// The smaller share is what the larger leaves, without rounding: shares that do not add up to one would scale each pair's energy.
@@ -61,7 +60,7 @@ PairView pair_view(float mass_a, float mass_b)
 {
     const float larger = std::max(mass_a, mass_b) / (mass_a + mass_b), smaller = 1 - larger;
     const float reduced = larger * std::min(mass_a, mass_b);
-    return {mass_a >= mass_b ? larger : smaller, mass_a >= mass_b ? smaller : larger, reduced, 1 / reduced};
+    return {mass_a >= mass_b ? larger : smaller, mass_a >= mass_b ? smaller : larger, reduced};
 }
 
 /// The particles of a cell that can collide: all but explosive that waits.
@@ -377,7 +376,7 @@ private:
             float energy = 0.5f * pair.reduced * speed_squared;
             if (exchange_a) exchange(a, dice.internal_share(kind_a), energy);
             if (exchange_b) exchange(b, dice.internal_share(kind_b), energy);
-            speed_squared = 2 * energy * pair.inverse_reduced;
+            speed_squared = 2 * energy / pair.reduced;  // not times a rounded inverse: that would scale the energy of every exchange alike
         }
         const Vector3f mean = pair.share_a * a.velocity + pair.share_b * b.velocity;
         const Vector3f new_relative = std::sqrt(speed_squared) * dice.direction();
