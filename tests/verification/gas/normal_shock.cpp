@@ -26,7 +26,7 @@ void expect_thickness(const NormalShock& set, double expected)
 
 TEST(NormalShock, mach_2)
 {
-    expect_thickness({.mach = 2, .path = 8, .width = 14, .formed = 10, .end = 28}, 0.255);
+    expect_thickness({.mach = 2, .path = 8, .width = 18, .formed = 10, .end = 32}, 0.255);
 }
 TEST(NormalShock, mach_8)
 {
