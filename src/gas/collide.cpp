@@ -346,13 +346,15 @@ private:
         }
     }
 
-    /// Mean free path in a cell [m].
+    /// Mean free path in a cell [m]. A dense gas keeps at least one spacing over 1 + p_v/p_k: with more collisions in a step than that the
+    /// displacements would no longer add up to the virial pressure.
     float mean_free_path(const CellState& state) const
     {
         const auto cross_section = static_cast<float>(gas_.settings.cross_section);
-        const float thin = cross_section > 0 ? state.volume / (std::numbers::sqrt2_v<float> * state.particles * cross_section)
-                                             : static_cast<float>(gas_.settings.mean_free_path) * state.spacing;
-        return thin / state.enskog();
+        if (cross_section > 0) return state.volume / (std::numbers::sqrt2_v<float> * state.particles * cross_section * state.enskog());
+        const auto thin = static_cast<float>(gas_.settings.mean_free_path);
+        const float dense = std::min(1.0f, (state.enskog() - 1) / stiff_ratio);
+        return (thin + std::max(0.0f, 1 - thin) * dense) * state.spacing / state.enskog();
     }
 
     /// Whether a facet may stand between particles of the cell.
