@@ -45,7 +45,7 @@ public:
 
         [[nodiscard]] bool holds(const Steps& place) const
         {
-            return (place[0] - lowest[0] <= reach[0]) & (place[1] - lowest[1] <= reach[1]) & (place[2] - lowest[2] <= reach[2]);
+            return place[0] - lowest[0] <= reach[0] && place[1] - lowest[1] <= reach[1] && place[2] - lowest[2] <= reach[2];
         }
     };
     [[nodiscard]] Extent extent(std::uint64_t key, int depth) const;

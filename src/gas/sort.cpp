@@ -95,7 +95,7 @@ std::uint32_t pick_movers(Gas& gas, std::size_t b, const BucketFinder& find, Mov
     for (std::uint32_t i = bucket.first; i < end; ++i) {
         Particle& particle = gas.particles[i];
         const CellCurve::Steps place = curve.steps(particle.position);
-        const bool stays = extent.holds(place) & !(particle.tag & particle_tag::gone);
+        const bool stays = !(particle.tag & particle_tag::gone) && extent.holds(place);
         kept += stays;
         if (stays || particle.tag & particle_tag::gone) continue;
         movers.add(particle, find(curve.key(place)));

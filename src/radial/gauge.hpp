@@ -34,8 +34,8 @@ struct BlastMeasures {
     double duration = 0;      ///< of that phase [s]
     bool complete = false;    ///< whether that phase ended within the record
 };
-/// Finds them in a record. The first peak is the highest pressure before it has fallen by half; later ones (a shock that follows) do not count.
-/// What stays below `noise` [Pa] over the ambient pressure is no wave.
+/// Finds them in a record. The first peak is the highest pressure before it has fallen by half; later ones (a shock that follows) do not
+/// count. What stays below `noise` [Pa] over the ambient pressure is no wave.
 [[nodiscard]] BlastMeasures measure_blast(const std::vector<RadialSample>& samples, double ambient_pressure, double noise);
 
 }  // namespace corpuscle

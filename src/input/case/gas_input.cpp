@@ -112,7 +112,8 @@ const Table& table_of<GasInput>()
             .row("seed", &GasInput::seed,
                  {"", from_to(0, 9e15), "Of the random numbers: another seed, another sample of the same gas.", "2"})
             .row("mean_free_path", &GasInput::mean_free_path,
-                 {"", from_to(0.05, 100), "In local particle spacings; short compared with everything of interest.", "1"})
+                 {"", from_to(0.05, 100),
+                  "In local particle spacings, of a thin gas; a dense one, p_v near p_k, keeps at least one over 1 + p_v/p_k.", "1"})
             .row(
                 "collision", &GasInput::collision,
                 {"",
