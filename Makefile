@@ -46,7 +46,8 @@ validate: tests
 	tools/validate.py $(BUILD) $(TOPICS)
 
 bench: build
-	$(CORPUSCLE) bench
+	@mkdir -p results
+	$(CORPUSCLE) bench --out results/bench.json
 
 lint: tests
 	ctest --test-dir $(BUILD) -L house --output-on-failure --no-tests=error

@@ -100,8 +100,9 @@ private:
         CLI::App* list = add("list", "List explosives, materials, gases or fields", list_command);
         list->add_option("kind", options_.subject, "explosives, materials, gases or fields")->required();
         CLI::App* bench = add("bench", "Time the step's loops beside reference loops", bench_command);
-        bench->add_option("name", options_.subject, "reference, gas or shells (default: all)");
+        bench->add_option("name", options_.subject, "reference, gas, sizes (1e5 to 2e7 particles) or shells (default: all but sizes)");
         bench->add_flag("--json", options_.json, "As JSON");
+        bench->add_option("--out", options_.out, "A file for the JSON, besides the table");
         bench->add_option("--threads", options_.threads, "Threads (default: 1, then 2)")->check(CLI::Range(1, 4096));
         CLI::App* explain = add("explain", "Explain a key of a case", explain_command);
         explain->add_option("key", options_.subject, "The key, such as charge.mass");

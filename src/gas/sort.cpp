@@ -25,6 +25,12 @@ std::size_t bucket_count(const Cells& cells)
     return cells.buckets.size() - 1;
 }
 
+/// Into how many pieces so many buckets are shared out: some for each thread, so that none waits long for another.
+std::size_t pieces_of(std::size_t buckets)
+{
+    return std::clamp<std::size_t>(buckets / 8, 1, 8 * static_cast<std::size_t>(thread_count()));
+}
+
 template <class T>
 std::size_t bytes(const std::vector<T>& values)
 {
@@ -134,10 +140,11 @@ Movers join(const std::vector<Movers>& lists)
 Movers find_movers(Gas& gas, Places& kept)
 {
     const BucketFinder find(gas.cells.buckets);
-    const std::size_t buckets = bucket_count(gas.cells), parts = part_count(buckets, 8);
+    const std::size_t buckets = bucket_count(gas.cells), parts = pieces_of(buckets);
     std::vector<Movers> lists(parts);
-    for_each_part(buckets, parts, [&](std::size_t part, std::size_t begin, std::size_t end) {
-        for (std::size_t b = begin; b < end; ++b) kept[b] = pick_movers(gas, b, find, lists[part]);
+    for_each_dynamic(parts, 1, [&](std::size_t part) {
+        for (std::size_t b = buckets * part / parts; b < buckets * (part + 1) / parts; ++b)
+            kept[b] = pick_movers(gas, b, find, lists[part]);
     });
     pick_newcomers(gas, find, lists.back());
     gas.cells.sort_bytes = 0;
@@ -187,12 +194,18 @@ public:
     Segment(Gas& gas, const Movers& movers, const Places& new_first, std::size_t begin, std::size_t end)
         : gas_(gas), movers_(movers), new_first_(new_first), begin_(begin), end_(end), pieces_(end - begin)
     {
-        const std::vector<Bucket>& old = gas.cells.buckets;
-        const std::uint32_t first = old[begin].first, beyond = old[end].first;
-        head_end_ = std::clamp(new_first[begin], first, beyond);
-        tail_begin_ = std::clamp(new_first[end], head_end_, beyond);
-        head_.assign(&gas.particles[first], &gas.particles[head_end_]);
-        tail_.assign(&gas.particles[tail_begin_], &gas.particles[beyond]);
+    }
+
+    /// Saves what the other segments write over. All segments, before any is sorted.
+    void save()
+    {
+        const std::vector<Bucket>& old = gas_.cells.buckets;
+        const std::uint32_t first = old[begin_].first, beyond = old[end_].first;
+        head_end_ = std::clamp(new_first_[begin_], first, beyond);
+        tail_begin_ = std::clamp(new_first_[end_], head_end_, beyond);
+        const Particle* const particles = gas_.particles.data();
+        head_.assign(particles + first, particles + head_end_);
+        tail_.assign(particles + tail_begin_, particles + beyond);
     }
 
     void sort()
@@ -321,9 +334,10 @@ void sort(Gas& gas)
     unite(gas.cells.buckets, new_first, movers.start, limits_of(gas.settings).bucket);
 
     const std::size_t buckets = bucket_count(gas.cells);
-    const std::size_t count = std::clamp<std::size_t>(buckets / 8, 1, 8 * static_cast<std::size_t>(thread_count()));
+    const std::size_t count = pieces_of(buckets);
     std::vector<Segment> segments;
     for (std::size_t s = 0; s < count; ++s) segments.emplace_back(gas, movers, new_first, buckets * s / count, buckets * (s + 1) / count);
+    for_each_dynamic(count, 1, [&](std::size_t s) { segments[s].save(); });
     for_each_dynamic(count, 1, [&](std::size_t s) { segments[s].sort(); });
     for (const Segment& segment : segments) gas.cells.sort_bytes += segment.saved_bytes();
     gas.particles.resize(total);

@@ -12,13 +12,15 @@ struct BenchLine {
     int threads = 1;
     double nanoseconds = 0;  ///< wall, of a thing and a step; the median of several repeats
     double ratio = 0;        ///< over the reference copy of 32-byte records with as many threads, in the same run
-    double bytes = 0;        ///< resident for each thing, 0 where that says nothing
+    double moved = 0;        ///< least bytes that memory must move for each thing; 0 where that says nothing
+    double limit = 0;        ///< how many times as long as moving them takes the copy in order, with as many threads
+    double resident = 0;     ///< bytes for each thing; 0 where that says nothing
 };
 
 /// What to measure.
 struct BenchSettings {
-    std::string name;  ///< "gas", "shells", "reference", or all if empty
-    std::size_t particles = 800'000;
+    std::string name;  ///< "gas", "sizes", "shells", "reference"; all but "sizes" if empty
+    std::size_t particles = 1'000'000;
     int steps = 20;  ///< of the gas
     std::vector<int> threads{1, 2};
 };
@@ -27,7 +29,8 @@ struct BenchSettings {
 [[nodiscard]] const std::vector<std::string>& bench_names();
 
 /// Times reference loops (triad; copies of 32-byte records in order, nearly in order, and at random), the gas step in a closed box of
-/// colliding gas with its phases, and the shell step of the plate. Throws InputError for a name that is none.
+/// colliding gas with its phases, the same from 1e5 to 2e7 particles ("sizes"), and the shell step of the plate. Throws InputError for a
+/// name that is none.
 [[nodiscard]] std::vector<BenchLine> run_bench(const BenchSettings& settings);
 
 /// The lines as JSON, for scripts.
