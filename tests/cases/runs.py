@@ -45,9 +45,9 @@ def check_resolved(folder):
 
 
 def check_threads(folder):
-    for threads in ("1", "2", "3"):
+    for threads in ("1", "2", "3", "4", "7"):
         execute(folder, "run", "case.toml", "--out", "t" + threads, "--quiet", "--threads", threads, check=0)
-    assert history_rows(folder / "t1") == history_rows(folder / "t2") == history_rows(folder / "t3")
+        assert history_rows(folder / ("t" + threads)) == history_rows(folder / "t1")
 
 
 def interrupted_run(folder, number, out="cut", words=("--set", "gas.particles=20_000")):

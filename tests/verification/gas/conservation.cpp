@@ -75,7 +75,7 @@ Gas run_with(int threads)
 TEST(Threads, change_not_one_bit)
 {
     const Gas one = run_with(1);
-    for (const int threads : {2, 3}) {
+    for (const int threads : {2, 3, 4, 7}) {
         const Gas other = run_with(threads);
         EXPECT_TRUE(same_bits(one.particles, other.particles)) << threads;
         EXPECT_EQ(one.step_limit, other.step_limit) << threads;
