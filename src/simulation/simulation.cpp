@@ -142,8 +142,12 @@ void Simulation::check_soundness() const
         throw SafetyStop("a value is no longer finite " + when + first_not_finite(), remedy);
     if (error.mass > mass_limit)
         throw SafetyStop(fmt::format("a particle is lost {}: {:.3g} of the mass is missing", when, error.mass), remedy);
-    if (error.energy > energy_limit)
-        throw SafetyStop(fmt::format("energy is lost or made {}: {:.3g} of all energy", when, error.energy), remedy);
+    if (error.energy > energy_limit) {
+        const std::string culprit = fastest_element(model_->structure);
+        throw SafetyStop(
+            fmt::format("energy is lost or made {}: {:.3g} of all energy{}{}", when, error.energy, culprit.empty() ? "" : "; ", culprit),
+            remedy);
+    }
 }
 
 /// Names the first particle or node with a value that is not finite.

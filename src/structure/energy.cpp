@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "parallel/loops.hpp"
 
 namespace corpuscle {
@@ -65,6 +67,27 @@ Vector3d momentum(const Structure& structure)
     return sum<Vector3d>(structure.nodes.size(), [&](std::size_t i) {
         return structure.nodes.mass[i] * structure.nodes.contact_velocity(static_cast<std::uint32_t>(i));
     });
+}
+
+std::string fastest_element(const Structure& structure)
+{
+    double fastest = 0;
+    std::string words;
+    for (const Part& part : structure.parts) {
+        const auto look = [&](const auto& elements) {
+            for (std::size_t e = 0; e < elements.size(); ++e) {
+                const std::uint32_t node = elements.node(e, 0);
+                const double speed = norm(structure.nodes.velocity[node]);
+                if (!(speed > fastest)) continue;
+                const Vector3d& at = structure.nodes.reference[node];
+                fastest = speed;
+                words = fmt::format("element {} of part '{}' (as meshed near ({:.4g}, {:.4g}, {:.4g}) m) moves fastest, at {:.4g} m/s",
+                                    e + 1, part.name, at.x, at.y, at.z, speed);
+            }
+        };
+        std::visit(look, part.elements);
+    }
+    return words;
 }
 
 }  // namespace corpuscle

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "structure/structure.hpp"
 
 namespace corpuscle {
@@ -28,5 +30,8 @@ struct StructureEnergy {
 
 /// Momentum of the nodes with the waiting impulses (of those that can move). [kg m/s]
 [[nodiscard]] Vector3d momentum(const Structure& structure);
+
+/// Which element has the fastest node, in words: where to look when a run has gone wrong; "" where nothing moves.
+[[nodiscard]] std::string fastest_element(const Structure& structure);
 
 }  // namespace corpuscle

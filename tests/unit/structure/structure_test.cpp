@@ -7,6 +7,7 @@
 
 #include "parallel/loops.hpp"
 #include "plates.hpp"
+#include "structure/energy.hpp"
 #include "structure/fields.hpp"
 
 namespace corpuscle {
@@ -160,6 +161,17 @@ TEST(Structure, RestartRefusesAnotherModel)
     std::vector<double> bytes(big->nodes.size() * 3);
     EXPECT_THROW(taken.fields[0].restore(bytes.data(), big->nodes.size()), InputError);
     EXPECT_THROW(taken.find("plate.shells")->restore(bytes.data(), 3), InputError);
+}
+
+TEST(Structure, FastestElementIsNamed)
+{
+    EXPECT_EQ(fastest_element(Structure{}), "");
+    Structure structure;
+    add_part(structure, plate(square_mesh(2, 0.2), elastic_steel(), 0.002));
+    EXPECT_EQ(fastest_element(structure), "");
+    structure.nodes.velocity[4] = {0, 30, 40};  // the middle one: the first corner of the last element
+    EXPECT_THAT(fastest_element(structure), HasSubstr("element 4 of part 'plate'"));
+    EXPECT_THAT(fastest_element(structure), HasSubstr("at 50 m/s"));
 }
 
 TEST(Structure, WhatIsNoLongerANumberIsNamed)
