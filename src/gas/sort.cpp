@@ -248,7 +248,7 @@ private:
     {
         const std::uint32_t segment_first = gas_.cells.buckets[begin_].first;
         const std::uint32_t in_head = std::clamp(head_end_, first, end), in_tail = std::clamp(tail_begin_, in_head, end);
-        divider.take_remaining(head_.data() + (first - segment_first), in_head - first);
+        if (in_head > first) divider.take_remaining(head_.data() + (first - segment_first), in_head - first);
         divider.take_remaining(gas_.particles.data() + in_head, in_tail - in_head);
         if (end > in_tail) divider.take_remaining(tail_.data() + (in_tail - tail_begin_), end - in_tail);
     }
@@ -281,9 +281,9 @@ void gather_pieces(Cells& cells, const std::vector<Segment>& segments, std::uint
         Segment::Piece at = start[s];
         const Division& division = segments[s].division();
         for (const Segment::Piece& piece : segments[s].pieces()) {
-            std::copy_n(&division.cells[piece.cells], piece.cell_count, &cells.cells[at.cells]);
-            std::copy_n(&division.groups[piece.groups], piece.group_count, &cells.groups[at.groups]);
-            std::copy_n(&division.buckets[piece.buckets], piece.bucket_count, &cells.buckets[at.buckets]);
+            std::copy_n(division.cells.data() + piece.cells, piece.cell_count, cells.cells.data() + at.cells);
+            std::copy_n(division.groups.data() + piece.groups, piece.group_count, cells.groups.data() + at.groups);
+            std::copy_n(division.buckets.data() + piece.buckets, piece.bucket_count, cells.buckets.data() + at.buckets);
             at.cells += piece.cell_count;
             at.groups += piece.group_count;
             at.buckets += piece.bucket_count;
