@@ -11,7 +11,7 @@ import subprocess
 import sys
 import time
 
-from program import CASE, PROGRAM, contents, execute, fresh_folder
+from program import CASE, PROGRAM, contents, execute, run_checks
 
 GAUGES = """
 [[gauge]]
@@ -151,12 +151,7 @@ def check_failure(folder):
 
 
 def main():
-    folder = fresh_folder({"case.toml": CASE_OF_FOUR})
-    for check in [check_check, check_run, check_means, check_history, check_member, check_refusal, check_going_on, check_going_further, check_failure]:
-        check(folder)
-        print(f"{check.__name__}: as it should be", flush=True)
-    shutil.rmtree(folder)
-    return 0
+    return run_checks(CASE_OF_FOUR, [check_check, check_run, check_means, check_history, check_member, check_refusal, check_going_on, check_going_further, check_failure])
 
 
 if __name__ == "__main__":

@@ -2,6 +2,7 @@
 
 import os
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -76,3 +77,13 @@ def fresh_folder(files):
 def contents(folder):
     """Every file and folder under it, by relative name, with its size."""
     return {str(path.relative_to(folder)): path.stat().st_size if path.is_file() else None for path in folder.rglob("*")}
+
+
+def run_checks(case, checks):
+    """Runs checks one after the other in one new folder that holds the case as case.toml; says which are as they should be."""
+    folder = fresh_folder({"case.toml": case})
+    for check in checks:
+        check(folder)
+        print(f"{check.__name__}: as it should be", flush=True)
+    shutil.rmtree(folder)
+    return 0

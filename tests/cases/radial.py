@@ -2,10 +2,9 @@
 
 import csv
 import json
-import shutil
 import sys
 
-from program import CASE, contents, execute, fresh_folder, replaced
+from program import CASE, contents, execute, run_checks, replaced
 
 SPHERICAL = replaced("fill = \"air\"", "fill = \"air\"\nstart = \"spherical\"")
 TWO = replaced("[gas]", CASE[CASE.index("[[charge]]"):CASE.index("[gas]")] + "[gas]")
@@ -53,11 +52,7 @@ def check_run(folder):
 
 
 def main():
-    folder = fresh_folder({"case.toml": CASE})
-    for check in (check_command, check_refusals, check_run):
-        check(folder)
-    shutil.rmtree(folder)
-    return 0
+    return run_checks(CASE, [check_command, check_refusals, check_run])
 
 
 if __name__ == "__main__":

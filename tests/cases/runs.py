@@ -2,13 +2,12 @@
 
 import json
 import os
-import shutil
 import signal
 import subprocess
 import sys
 import time
 
-from program import CASE, PROGRAM, contents, execute, fresh_folder
+from program import CASE, PROGRAM, contents, execute, run_checks
 
 
 def history_rows(folder):
@@ -122,12 +121,7 @@ def check_report(folder):
 
 
 def main():
-    folder = fresh_folder({"case.toml": CASE})
-    for check in [check_run, check_refusal_and_force, check_resolved, check_threads, check_interrupt, check_hard_spheres, check_safety, check_going_further, check_report]:
-        check(folder)
-        print(f"{check.__name__}: as it should be", flush=True)
-    shutil.rmtree(folder)
-    return 0
+    return run_checks(CASE, [check_run, check_refusal_and_force, check_resolved, check_threads, check_interrupt, check_hard_spheres, check_safety, check_going_further, check_report])
 
 
 if __name__ == "__main__":

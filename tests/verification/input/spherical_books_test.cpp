@@ -4,25 +4,13 @@
 
 #include <cmath>
 
+#include "../../unit/input/spherical_plate.hpp"
 #include "input/build.hpp"
-#include "input/case/read_case.hpp"
-#include "input/presets.hpp"
 #include "laws/blast/kingery_bulmash.hpp"
 
 using namespace corpuscle;
 
 namespace {
-
-const std::filesystem::path source = CORPUSCLE_SOURCE_DIR;
-
-/// The example of the plate with a spherical start, and changes.
-CaseDescription plate(std::vector<std::string> settings = {})
-{
-    settings.insert(settings.begin(), {"gas.particles=20_000", "gas.start=\"spherical\""});
-    CaseDescription description = read_case(source / "examples/01_plate/case.toml", settings);
-    resolve_presets(description, {source / "share"});
-    return description;
-}
 
 /// What a species holds, momentum outward from the charge.
 struct Content {
@@ -47,7 +35,7 @@ Content content_of(const Gas& gas, std::uint32_t species, const Vector3d& center
 
 TEST(SphericalStart, BeginsBeforeThePlateWithMassMomentumAndEnergyOfTheFlow)
 {
-    const CaseDescription description = plate();
+    const CaseDescription description = spherical_plate();
     CaseSurvey survey = survey_case(description);
     ASSERT_TRUE(survey.gas->start.has_value());
     const SphericalStart start = *survey.gas->start;
@@ -83,7 +71,7 @@ TEST(SphericalStart, BeginsBeforeThePlateWithMassMomentumAndEnergyOfTheFlow)
 
 TEST(SphericalStart, StartsLaterWhereTheChargeIsLitLater)
 {
-    const double first = survey_case(plate()).gas->start->time;
-    const CaseSurvey late = survey_case(plate({"charge.0.detonation.0.time=\"1 ms\""}));
+    const double first = survey_case(spherical_plate()).gas->start->time;
+    const CaseSurvey late = survey_case(spherical_plate({"charge.0.detonation.0.time=\"1 ms\""}));
     EXPECT_NEAR(late.gas->start->time, first + 1e-3, 1e-12);
 }
