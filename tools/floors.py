@@ -18,7 +18,7 @@ FLOORS = [
     ["parallel"],
     ["fields", "laws"],
     ["mesh"],
-    ["gas", "structure", "output", "radial"],
+    ["gas", "structure", "euler", "output", "radial"],
     ["contact"],
     ["model"],
     ["input", "simulation"],

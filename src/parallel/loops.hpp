@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <vector>
 
@@ -38,12 +39,31 @@ void for_each_simd(std::size_t count, const Body& body)
     for (std::size_t i = 0; i < count; ++i) body(i);
 }
 
+/// body(i) for i in [0, count) one after another by one thread, several side by side: bodies must not write what another reads.
+template <class Body>
+inline void for_simd(std::size_t count, const Body& body)
+{
+#pragma omp simd
+    for (std::size_t i = 0; i < count; ++i) body(i);
+}
+
 /// body(part, begin, end): [0, count) in `parts` contiguous pieces, one task each (parts: see `part_count`).
 template <class Body>
 void for_each_part(std::size_t count, std::size_t parts, const Body& body)
 {
 #pragma omp parallel for schedule(static, 1)
     for (std::size_t part = 0; part < parts; ++part) body(part, count * part / parts, count * (part + 1) / parts);
+}
+
+/// body(scratch, i) for i in [0, count), in any order, items of unequal cost and room to work in for each thread: as many threads
+/// as there are `scratches`.
+template <class Scratch, class Body>
+void for_each_with(std::vector<Scratch>& scratches, std::size_t count, const Body& body)
+{
+    std::atomic<std::size_t> next{0};
+    for_each_part(scratches.size(), scratches.size(), [&](std::size_t part, std::size_t, std::size_t) {
+        for (std::size_t i = next.fetch_add(1); i < count; i = next.fetch_add(1)) body(scratches[part], i);
+    });
 }
 
 /// How many pieces are worth making of `count` items.

@@ -1,0 +1,70 @@
+#include "euler/burn.hpp"
+
+#include <algorithm>
+
+#include "parallel/loops.hpp"
+
+namespace corpuscle {
+
+namespace {
+
+/// Cells that the front of a detonation is spread over.
+constexpr double front_cells = 2.5;
+
+/// Share of the explosive at a cell that has burnt when the front, spread over some cells, has come so far.
+double burnt_share(const EulerGrid& grid, const EulerExplosive& explosive, std::size_t cell, double time)
+{
+    const auto at = grid.place(cell);
+    double width = 0;
+    for (std::size_t d = 0; d < 3; ++d) {
+        if (!grid.axes[d].inert()) width = std::max(width, grid.axes[d].width(at[d]));
+    }
+    const double passed = (time - explosive.burn_time(grid.middle(cell))) * explosive.detonation_velocity;
+    return std::clamp(passed / (front_cells * width), 0.0, 1.0);
+}
+
+/// Burns one material; `booked` gets what was released.
+EulerAmount burn_material(EulerGrid& grid, std::size_t material, double time)
+{
+    const EulerExplosive& explosive = grid.materials[material].explosive;
+    std::vector<double>& waits = grid.now.unburnt[material];
+    return sum_chunks<EulerAmount>(grid.cells(), [&](std::size_t begin, std::size_t end) {
+        EulerAmount released;
+        for (std::size_t c = begin; c < end; ++c) {
+            if (waits[c] == 0) continue;
+            const double left = std::min(waits[c], (1 - burnt_share(grid, explosive, c, time)) * grid.now.mass[material][c]);
+            const double burnt = waits[c] - std::max(0.0, left);
+            if (burnt == 0) continue;
+            waits[c] -= burnt;
+            grid.now.energy[c] += burnt * explosive.held_energy;
+            released.mass[material] += burnt * grid.volume(c);
+            released.energy += burnt * explosive.energy * grid.volume(c);
+        }
+        return released;
+    });
+}
+
+/// Whether anything of a material waits.
+bool waits(const EulerGrid& grid, std::size_t material)
+{
+    const std::vector<double>& values = grid.now.unburnt[material];
+    return sum<std::size_t>(values.size(), [&](std::size_t c) { return values[c] != 0 ? 1u : 0u; }) > 0;
+}
+
+}  // namespace
+
+EulerAmount burn(EulerGrid& grid, double time)
+{
+    EulerAmount released;
+    for (std::size_t m = 0; m < grid.materials.size(); ++m) {
+        if (grid.now.unburnt[m].empty()) continue;
+        released += burn_material(grid, m, time);
+        if (!waits(grid, m)) {  // burnt out: nothing to carry along any more
+            grid.now.unburnt[m].clear();
+            grid.next.unburnt[m].clear();
+        }
+    }
+    return released;
+}
+
+}  // namespace corpuscle
