@@ -4,22 +4,16 @@
 #include <cmath>
 
 #include "euler/hllc.hpp"
-#include "euler/thinc.hpp"
+#include "euler/mixed_cells.hpp"
+#include "euler/with_count.hpp"
 #include "parallel/loops.hpp"
 
 namespace corpuscle {
 
 namespace {
 
-/// Shares below this one, or above one less it, leave a cell as none, or as all of it.
-constexpr double least_leaving_share = 1e-8;
-/// Most of a material of a cell that a step may take out of it.
-constexpr double most_taken = 0.95;
 /// A face state with less than this share of the cell's pressure or density takes the cell's.
 constexpr double least_left = 0.1;
-/// Steepness of the smooth step at a face that lies along the interface's normal.
-constexpr double interface_steepness = 2.3;
-
 /// A cell's change along an axis, limited: the mean of the changes to both neighbours, but no value at a face beyond the neighbour's
 /// (monotonised central differences, van Leer, J. Comput. Phys. 23 (1977) 276).
 inline double limited(double below, double above, double to_lower, double to_upper)
@@ -152,10 +146,14 @@ private:
     }
 
     /// Slopes of a material's density count only where the cell and both neighbours are mostly of it.
-    [[nodiscard]] const double* share_behind(std::size_t quantity) { return M > 1 && quantity < 2 * M ? state(P::share(quantity % M)) : nullptr; }
+    [[nodiscard]] const double* share_behind(std::size_t quantity)
+    {
+        return M > 1 && quantity < 2 * M ? state(P::share(quantity % M)) : nullptr;
+    }
 
     /// change[i] = what quantity `q` changes across cell first + i along axis d.
-    void find_slopes(int d, std::size_t q, std::size_t first, std::size_t count, const double* to_lower, const double* to_upper, double* slope)
+    void find_slopes(int d, std::size_t q, std::size_t first, std::size_t count, const double* to_lower, const double* to_upper,
+                     double* slope)
     {
         const std::size_t stride = tile_.axes[d].stride;
         const double *w = state(q) + first, *before = w - stride, *behind = w + stride;
@@ -235,95 +233,18 @@ private:
     {
         tile_.mixed.assign(tile_.size, -1);
         tile_.mixed_cells.clear();
+        MixedCellFinder finder{tile_, length_, M, {}, {}};
+        for (std::size_t m = 0; m < M; ++m) finder.share[m] = state(P::share(m));
+        for (int d = 0; d < 3; ++d) finder.velocity[d] = state(P::velocity(d));
         const auto nx = static_cast<std::ptrdiff_t>(tile_.axes[0].cells);
         for_rows(1, [&](std::ptrdiff_t j, std::ptrdiff_t k) {
             for (std::ptrdiff_t i = -margin(0, 1); i < nx + margin(0, 1); ++i) {
                 const std::size_t c = tile_.at(i, j, k);
-                bool pure = true;
-                for (std::size_t m = 0; m + 1 < M; ++m) {
-                    const double share = state(P::share(m))[c];
-                    pure &= share < least_leaving_share || share > 1 - least_leaving_share;
-                }
-                if (pure) continue;
+                if (!finder.is_mixed(c)) continue;
                 tile_.mixed[c] = static_cast<std::int32_t>(tile_.mixed_cells.size());
-                tile_.mixed_cells.push_back(mixed_cell(c, {i, j, k}));
+                tile_.mixed_cells.push_back(finder.mixed_cell(c, {i, j, k}));
             }
         });
-    }
-
-    [[nodiscard]] std::size_t place_in(int d, const std::array<std::ptrdiff_t, 3>& at) const
-    {
-        return static_cast<std::size_t>(at[d] + static_cast<std::ptrdiff_t>(tile_.axes[d].halo));
-    }
-
-    [[nodiscard]] MixedCell mixed_cell(std::size_t c, const std::array<std::ptrdiff_t, 3>& at)
-    {
-        std::array<double, 6> out{};  // share of the cell's volume that leaves through each face
-        for (int d = 0; d < 3; ++d) {
-            const TileAxis& axis = tile_.axes[d];
-            if (!axis.live) continue;
-            const double* u = state(P::velocity(d)) + c;
-            const double crossing = length_ * axis.inverse_width[place_in(d, at)];
-            out[2 * d] = std::clamp(-0.5 * (u[0] + *(u - axis.stride)) * crossing, 0.0, 1.0);
-            out[2 * d + 1] = std::clamp(0.5 * (u[0] + u[axis.stride]) * crossing, 0.0, 1.0);
-        }
-        MixedCell cell;
-        for (std::size_t m = 0; m + 1 < M; ++m) {
-            cell.face_share[m] = leaving_shares(c, at, state(P::share(m)), out);
-            bound_leaving(cell.face_share[m], state(P::share(m))[c], out);
-        }
-        complete(cell);
-        return cell;
-    }
-
-    /// Shares of one material that leave through each face by the smooth step along each axis; the cell's own where it is no step.
-    [[nodiscard]] std::array<double, 6> leaving_shares(std::size_t c, const std::array<std::ptrdiff_t, 3>& at, const double* share,
-                                                       const std::array<double, 6>& out) const
-    {
-        std::array<double, 3> rise{};
-        double steepest = 0;
-        for (int d = 0; d < 3; ++d) {
-            const TileAxis& axis = tile_.axes[d];
-            if (!axis.live) continue;
-            rise[d] = (share[c + axis.stride] - share[c - axis.stride]) * axis.inverse_width[place_in(d, at)];
-            steepest += rise[d] * rise[d];
-        }
-        std::array<double, 6> found;
-        found.fill(share[c]);
-        for (int d = 0; d < 3; ++d) {
-            const TileAxis& axis = tile_.axes[d];
-            if (!axis.live) continue;
-            const double before = share[c - axis.stride], behind = share[c + axis.stride];
-            if (!((share[c] - before) * (behind - share[c]) > 0)) continue;
-            const SmoothStep step(before, share[c], behind, interface_steepness * std::abs(rise[d]) / std::sqrt(steepest) + 0.05);
-            found[2 * d] = step.mean_near(false, out[2 * d]);
-            found[2 * d + 1] = step.mean_near(true, out[2 * d + 1]);
-        }
-        return found;
-    }
-
-    /// Draws what leaves towards the cell's mean where a step would take out more than there is of the material, or of the others.
-    static void bound_leaving(std::array<double, 6>& found, double share, const std::array<double, 6>& out)
-    {
-        double volume = 0, taken = 0;
-        for (std::size_t f = 0; f < 6; ++f) volume += out[f], taken += out[f] * found[f];
-        const double mean = volume * share, most = most_taken * share, least = volume - most_taken * (1 - share);
-        double keep = 1;
-        if (taken > most && taken > mean) keep = std::max(0.0, (most - mean) / (taken - mean));
-        if (taken < least && taken < mean) keep = std::max(0.0, (mean - least) / (mean - taken));
-        for (double& face : found) face = share + keep * (face - share);
-    }
-
-    /// The last material takes what the others leave.
-    static void complete(MixedCell& cell)
-    {
-        for (std::size_t f = 0; f < 6; ++f) {
-            double sum = 0;
-            for (std::size_t m = 0; m + 1 < M; ++m) sum += cell.face_share[m][f];
-            const double scale = sum > 1 ? 1 / sum : 1.0;
-            for (std::size_t m = 0; m + 1 < M; ++m) cell.face_share[m][f] *= scale;
-            cell.face_share[M - 1][f] = 1 - std::min(1.0, sum);
-        }
     }
 
     /// States at the lower and upper faces across axis d of `count` cells from place (i, j, k) along x, half a step on.
@@ -534,13 +455,13 @@ private:
             pass_edge(d, face == 0 ? 0 : 1, i, depth * grid_.axes[0].volume[block_.begin[0] + i]);
         }
     }
-    /// Books what goes out through face `at` of the row of fluxes, which lies in the grid's lower (0) or upper (1) edge; `breadth`: its area
-    /// but for the axis' own part.
+    /// Books what goes out through face `at` of the row of fluxes, which lies in the grid's lower (0) or upper (1) edge; `breadth`: its
+    /// area but for the axis' own part.
     void pass_edge(int d, int side, std::size_t at, double breadth)
     {
         const TileAxis& axis = tile_.axes[d];
         const double out = (side == 0 ? -1 : 1) * length_ * breadth * axis.area[side == 0 ? 0 : axis.cells];
-        EulerAmount& passed = passages_[static_cast<std::size_t>(2 * d + side)];
+        EulerAmount& passed = passages_[2 * static_cast<std::size_t>(d) + static_cast<std::size_t>(side)];
         for (std::size_t m = 0; m < M; ++m) passed.mass[tile_.materials[m]] += out * fluxes_.flux[C::mass(m)][at];
         for (int e = 0; e < 3; ++e) passed.momentum[e] += out * fluxes_.flux[C::motion(e)][at];
         passed.energy += out * fluxes_.flux[C::energy][at];
@@ -553,8 +474,10 @@ private:
             const std::size_t from = tile_.at(0, j, k);
             const std::size_t to =
                 grid_.cell(block_.begin[0], block_.begin[1] + static_cast<std::size_t>(j), block_.begin[2] + static_cast<std::size_t>(k));
-            for (std::size_t m = 0; m < M; ++m) store_row(grid_.now.mass, grid_.next.mass, tile_.materials[m], change(C::mass(m)) + from, to);
-            for (int d = 0; d < 3; ++d) store_row(grid_.now.motion, grid_.next.motion, static_cast<std::size_t>(d), change(C::motion(d)) + from, to);
+            for (std::size_t m = 0; m < M; ++m)
+                store_row(grid_.now.mass, grid_.next.mass, tile_.materials[m], change(C::mass(m)) + from, to);
+            for (int d = 0; d < 3; ++d)
+                store_row(grid_.now.motion, grid_.next.motion, static_cast<std::size_t>(d), change(C::motion(d)) + from, to);
             add_row(grid_.now.energy.data() + to, change(C::energy) + from, grid_.next.energy.data() + to);
             store_shares(from, to);
             keep_others(to);
@@ -620,74 +543,11 @@ private:
     EulerPassages passages_{};
 };
 
-/// Calls what(std::integral_constant<M>) for the number of materials in sight.
-template <class What>
-auto with_count(std::size_t count, const What& what)
-{
-    switch (count) {
-        case 1: return what(std::integral_constant<std::size_t, 1>{});
-        case 2: return what(std::integral_constant<std::size_t, 2>{});
-        case 3: return what(std::integral_constant<std::size_t, 3>{});
-        default: return what(std::integral_constant<std::size_t, 4>{});
-    }
-}
-
-/// The signal of a row of the block's cells.
-template <std::size_t M>
-double row_signal(const EulerTile& tile, const EulerGrid& grid, const std::array<std::size_t, 3>& begin, std::size_t j, std::size_t k)
-{
-    using P = Primitive<M>;
-    using C = Conserved<M>;
-    const std::size_t count = tile.axes[0].cells, first = grid.cell(begin[0], begin[1] + j, begin[2] + k);
-    std::array<MieGrueneisen, M> laws;
-    ConservedRow<M> from{};
-    PrimitiveRow<M> to{};
-    EulerRows<P::count> found;
-    EulerRows<M> shares;
-    for (std::size_t m = 0; m < M; ++m) {
-        const std::size_t material = tile.materials[m];
-        laws[m] = grid.laws[material];
-        from[C::mass(m)] = grid.now.mass[material].data() + first;
-        for (std::size_t i = 0; M > 1 && i < count; ++i) shares[m][i] = share_of(grid.now, material, first + i);
-        from[C::share(m)] = shares[m].data();
-    }
-    for (int d = 0; d < 3; ++d) from[C::motion(d)] = grid.now.motion[d].data() + first;
-    from[C::energy] = grid.now.energy.data() + first;
-    for (std::size_t q = 0; q < P::count; ++q) to[q] = found[q].data();
-    find_primitives<M>(laws, grid.pressure_floor, count, from, to);
-    std::array<double, longest_row> signal{};
-    const std::array<std::size_t, 3> at{0, j, k};
-    for_simd(count, [&](std::size_t i) {
-        const Mixture<M> all = mixture<M>(laws, to, i);
-        const double sound = std::sqrt(all.stiffness(found[P::pressure][i]) / all.density);
-        double sum = 0;
-        for (int d = 0; d < 3; ++d) {
-            const double u = found[P::velocity(d)][i], speed = u < 0 ? -u : u;
-            sum += (speed + sound) * tile.axes[d].inverse_width[tile.axes[d].halo + at[d] + (d == 0 ? i : 0)];
-        }
-        signal[i] = sum;
-    });
-    double most = 0;
-    for (std::size_t i = 0; i < count; ++i) most = std::max(most, signal[i]);
-    return most;
-}
-
 }  // namespace
 
 EulerPassages flow_block(EulerTile& tile, EulerGrid& grid, const EulerBlock& block, double length)
 {
     return with_count(tile.materials.size(), [&](auto count) { return BlockFlow<count()>(tile, grid, block, length).run(); });
-}
-
-double find_signal(const EulerTile& tile, const EulerGrid& grid, const EulerBlock& block)
-{
-    return with_count(tile.materials.size(), [&](auto count) {
-        double most = 0;
-        for (std::size_t k = 0; k < tile.axes[2].cells; ++k) {
-            for (std::size_t j = 0; j < tile.axes[1].cells; ++j) most = std::max(most, row_signal<count()>(tile, grid, block.begin, j, k));
-        }
-        return most;
-    });
 }
 
 }  // namespace corpuscle

@@ -11,16 +11,22 @@ namespace {
 /// Cells that the front of a detonation is spread over.
 constexpr double front_cells = 2.5;
 
-/// Share of the explosive at a cell that has burnt when the front, spread over some cells, has come so far.
-double burnt_share(const EulerGrid& grid, const EulerExplosive& explosive, std::size_t cell, double time)
+/// How long the front takes to pass a cell [s].
+double passing_time(const EulerGrid& grid, const EulerExplosive& explosive, std::size_t cell)
 {
     const auto at = grid.place(cell);
     double width = 0;
     for (std::size_t d = 0; d < 3; ++d) {
         if (!grid.axes[d].inert()) width = std::max(width, grid.axes[d].width(at[d]));
     }
-    const double passed = (time - explosive.burn_time(grid.middle(cell))) * explosive.detonation_velocity;
-    return std::clamp(passed / (front_cells * width), 0.0, 1.0);
+    return front_cells * width / explosive.detonation_velocity;
+}
+
+/// Share of the explosive at a cell that has burnt when the front, spread over some cells, has come so far.
+double burnt_share(const EulerGrid& grid, const EulerExplosive& explosive, std::size_t cell, double time)
+{
+    if (time >= explosive.burnt_out) return 1;
+    return std::clamp((time - burn_time(grid, explosive, cell)) / passing_time(grid, explosive, cell), 0.0, 1.0);
 }
 
 /// Burns one material; `booked` gets what was released.
@@ -52,6 +58,17 @@ bool waits(const EulerGrid& grid, std::size_t material)
 }
 
 }  // namespace
+
+void plan_burning(EulerGrid& grid)
+{
+    for (std::size_t m = 0; m < grid.materials.size(); ++m) {
+        EulerExplosive& explosive = grid.materials[m].explosive;
+        const std::vector<double>& waiting = grid.now.unburnt[m];
+        explosive.burnt_out = -minimum(waiting.size(), 0.0, [&](std::size_t c) {
+            return waiting[c] > 0 ? -burn_time(grid, explosive, c) - passing_time(grid, explosive, c) : 0.0;
+        });
+    }
+}
 
 EulerAmount burn(EulerGrid& grid, double time)
 {

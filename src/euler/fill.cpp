@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "euler/burn.hpp"
 #include "euler/flow.hpp"
 #include "parallel/loops.hpp"
 
@@ -105,6 +106,7 @@ void finish(EulerGrid& grid)
     grid.pressure_floor = 1e-6 * std::max(least, std::numeric_limits<double>::min());
     grid.passages = {};
     grid.worked = 0;
+    plan_burning(grid);
     prepare(grid);
 }
 
@@ -145,6 +147,9 @@ public:
     {
         for (const EulerFill& fill : fills) bounds_.push_back(fill.shape.bounds());
         for_each_dynamic(grid.cells(), 1024, [&](std::size_t c) { of_cell_[c] = shares_in(c); });
+        for (std::size_t c = 0; c < grid.cells(); ++c) {
+            if (of_cell_[c].only == none) refuse(c);
+        }
     }
 
     /// Shares of a cell: one number, the fill it lies in, or a share for each fill.
@@ -190,14 +195,21 @@ public:
     }
 
 private:
-    /// The last fill that holds a point.
+    static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+    [[noreturn]] void refuse(std::size_t c) const
+    {
+        const Vector3d place = in_space(grid_, grid_.middle(c));
+        throw InputError(fmt::format("nothing fills the Euler grid near ({:g}, {:g}, {:g})", place.x, place.y, place.z),
+                         "fill the whole grid first, then lay charges over it");
+    }
+    /// The last fill that holds a point; `none` if no fill does.
     [[nodiscard]] std::size_t fill_at(const Vector3d& place) const
     {
         for (std::size_t f = fills_.size(); f-- > 0;) {
             if (fills_[f].shape.contains(place)) return f;
         }
-        throw InputError(fmt::format("nothing fills the Euler grid at ({:g}, {:g}, {:g})", place.x, place.y, place.z),
-                         "fill the whole grid first, then lay charges over it");
+        return none;
     }
     /// Whether a shape that holds the corners of a box is sure to hold the box, or not to meet it: 1, 0; -1: not sure.
     [[nodiscard]] int certain(std::size_t fill, const Box& box) const
@@ -220,7 +232,14 @@ private:
         }
         Cell cell{0, std::vector<double>(fills_.size(), 0.0)};
         const double part = 1.0 / static_cast<double>(point_count(grid_, samples_));
-        for_points(grid_, c, samples_, [&](const Vector3d& point) { cell.shares[fill_at(in_space(grid_, point))] += part; });
+        for_points(grid_, c, samples_, [&](const Vector3d& point) {
+            const std::size_t found = fill_at(in_space(grid_, point));
+            if (found == none)
+                cell.only = none;
+            else
+                cell.shares[found] += part;
+        });
+        if (cell.only == none) return cell;
         for (std::size_t f = 0; f < fills_.size(); ++f) {
             if (cell.shares[f] > 1 - 0.5 * part) return {f, {}};
         }

@@ -11,11 +11,11 @@ namespace corpuscle {
 /// A gas in one state, at a point.
 struct EulerSample {
     std::size_t material = 0;
-    double density = 0;   ///< [kg/m3]
-    double pressure = 0;  ///< [Pa]
-    Vector3d velocity{};  ///< [m/s]
-    double energy = 0;    ///< specific; where above 0 it stands, not the pressure [J/kg]
-    bool unburnt = false; ///< explosive that waits
+    double density = 0;    ///< [kg/m3]
+    double pressure = 0;   ///< [Pa]
+    Vector3d velocity{};   ///< [m/s]
+    double energy = 0;     ///< specific; where above 0 it stands, not the pressure [J/kg]
+    bool unburnt = false;  ///< explosive that waits
 };
 
 /// Lays the cells out from the state at points: a cell is the mean of samples^n points, evenly spread along each of its n axes that are
@@ -30,8 +30,8 @@ struct EulerFill {
 };
 
 /// Lays the cells out from shapes, later ones over earlier ones: a cell at a boundary has as much of each as its points say. The mass of a
-/// material that fills only one shape, which is nowhere cut, is then made exact by moving boundaries within the cells they cross. In spherical and axisymmetric
-/// grids a point (x, y) is taken for (x, 0, 0), (x, 0, y). Refuses a point that is in no shape by InputError.
+/// material that fills only one shape, which is nowhere cut, is then made exact by moving boundaries within the cells they cross. In
+/// spherical and axisymmetric grids a point (x, y) is taken for (x, 0, 0), (x, 0, y). Refuses a point that is in no shape by InputError.
 void fill(EulerGrid& grid, const std::vector<EulerFill>& fills, std::size_t samples = 8);
 
 }  // namespace corpuscle

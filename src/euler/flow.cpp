@@ -1,6 +1,7 @@
 #include "euler/flow.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "euler/block_flow.hpp"
 #include "euler/burn.hpp"
@@ -51,7 +52,8 @@ bool is_quiet(const EulerGrid& grid, const EulerBlock& block)
     bool quiet = !explosive_waits(now, first) && now.motion[0][first] == 0 && now.motion[1][first] == 0 && now.motion[2][first] == 0;
     for_rows(grid, block, [&](std::size_t row, std::size_t count) {
         quiet = quiet && all_arrays(now, [&](const std::vector<double>& values) {
-                    return std::all_of(values.begin() + static_cast<std::ptrdiff_t>(row), values.begin() + static_cast<std::ptrdiff_t>(row + count),
+                    return std::all_of(values.begin() + static_cast<std::ptrdiff_t>(row),
+                                       values.begin() + static_cast<std::ptrdiff_t>(row + count),
                                        [&](double value) { return value == values[first]; });
                 });
     });
@@ -130,6 +132,24 @@ std::vector<EulerTile> make_tiles(const EulerGrid& grid, std::size_t blocks)
     return std::vector<EulerTile>(std::min(blocks + 1, part_count(cells, worth_a_thread)));
 }
 
+/// What gas at rest in a block that is not computed presses on the grid's edges in a step.
+void press_edges(EulerGrid& grid, const EulerBlock& block, double length)
+{
+    const auto extent = [&](int d) {
+        const std::vector<double>& volume = grid.axes[d].volume;
+        return std::accumulate(volume.begin() + static_cast<std::ptrdiff_t>(block.begin[d]),
+                               volume.begin() + static_cast<std::ptrdiff_t>(block.end[d]), 0.0);
+    };
+    for (int d = 0; d < 3; ++d) {
+        const EulerAxis& axis = grid.axes[d];
+        if (axis.inert()) continue;
+        const double push =
+            length * grid.round() * look(grid, first_cell(grid, block)).pressure * extent((d + 1) % 3) * extent((d + 2) % 3);
+        if (block.begin[d] == 0) grid.passages[2 * d].momentum[d] -= push * axis.area.front();
+        if (block.end[d] == axis.cells()) grid.passages[2 * d + 1].momentum[d] += push * axis.area.back();
+    }
+}
+
 /// Finds what changed in the blocks that were computed: whether they are quiet still, what is in them, how fast waves run.
 void survey(EulerGrid& grid, const std::vector<std::size_t>& blocks, bool first, std::vector<EulerTile>& tiles)
 {
@@ -174,6 +194,9 @@ EulerAmount flow(EulerGrid& grid, const Clock& clock)
     });
     for (const EulerPassages& part : passed) {
         for (std::size_t f = 0; f < euler_face_count; ++f) grid.passages[f] += part[f];
+    }
+    for (const EulerBlock& block : grid.blocks) {
+        if (!block.active) press_edges(grid, block, clock.duration());
     }
     std::swap(grid.now, grid.next);
     const EulerAmount released = burn(grid, clock.end());

@@ -48,7 +48,7 @@ void lay_blocks(EulerGrid& grid)
 
 void check_grid(const EulerGrid& grid)
 {
-    if (grid.materials.size() < 1 || grid.materials.size() > most_euler_materials) {
+    if (grid.materials.empty() || grid.materials.size() > most_euler_materials) {
         throw InputError("an Euler grid holds one to four materials", "give fewer gases, or treat alike ones as one");
     }
     const auto live = [&](int d) { return !grid.axes[d].inert(); };
@@ -58,6 +58,12 @@ void check_grid(const EulerGrid& grid)
     if (grid.space == EulerSpace::axisymmetric && live(2)) {
         throw InputError("an axisymmetric Euler grid has cells along z", "give it one cell there: x is the radius, y the height");
     }
+    for (int d = 0; d < 3; ++d) {
+        if (live(d) && grid.axes[d].cells() < 4) {
+            throw InputError("an axis of the Euler grid has less than four cells",
+                             "give one cell to an axis that nothing moves along, or four");
+        }
+    }
     if (!(grid.settings.cfl > 0 && grid.settings.cfl < 1)) {
         throw InputError("the cfl number of the Euler grid is not between 0 and 1", "give a value such as 0.8");
     }
@@ -66,10 +72,14 @@ void check_grid(const EulerGrid& grid)
 
 }  // namespace
 
-double EulerExplosive::burn_time(const Vector3d& place) const
+double burn_time(const EulerGrid& grid, const EulerExplosive& explosive, std::size_t cell)
 {
     double earliest = std::numeric_limits<double>::infinity();
-    for (const EulerLighting& lit : lightings) earliest = std::min(earliest, lit.time + norm(place - lit.point) / detonation_velocity);
+    for (const EulerLighting& lit : explosive.lightings) {
+        Vector3d way = grid.middle(cell) - lit.point;
+        for (int d = 0; d < 3; ++d) way[d] = grid.axes[d].inert() ? 0 : way[d];
+        earliest = std::min(earliest, lit.time + norm(way) / explosive.detonation_velocity);
+    }
     return earliest;
 }
 
@@ -120,11 +130,10 @@ EulerGrid make_grid(EulerSpace space, const std::array<std::vector<double>, 3>& 
     grid.edges = edges;
     grid.materials = std::move(materials);
     const int power = space == EulerSpace::planar ? 0 : space == EulerSpace::axisymmetric ? 1 : 2;
-    for (int d = 0; d < 3; ++d) grid.axes[d] = euler_axis(faces[d], d == 0 ? power : 0);
-    if (space == EulerSpace::spherical) {  // the rest of the solid angle is in round()
-        for (int d = 1; d < 3; ++d) grid.axes[d] = euler_axis({0, 1});
-    } else if (space == EulerSpace::axisymmetric) {
-        grid.axes[2] = euler_axis({0, 1});
+    const int given = space == EulerSpace::planar ? 3 : space == EulerSpace::axisymmetric ? 2 : 1;
+    for (int d = 0; d < 3; ++d) {  // of axes that are not given, round() has the part
+        const bool left_out = d >= given && faces[d].size() <= 2;
+        grid.axes[d] = left_out ? euler_axis({-0.5, 0.5}) : euler_axis(faces[d], d == 0 ? power : 0);
     }
     check_grid(grid);
     for (const EulerMaterial& material : grid.materials) {
@@ -134,9 +143,8 @@ EulerGrid make_grid(EulerSpace space, const std::array<std::vector<double>, 3>& 
     grid.now.mass.resize(grid.materials.size());
     grid.now.share.resize(grid.materials.size() - 1);
     grid.now.unburnt.resize(grid.materials.size());
-    for_each_array(grid.now, grid.materials, [&](const std::string&, const char*, std::vector<double>& values) {
-        values.assign(grid.cells(), 0.0);
-    });
+    for_each_array(grid.now, grid.materials,
+                   [&](const std::string&, const char*, std::vector<double>& values) { values.assign(grid.cells(), 0.0); });
     for (std::size_t m = 0; m < grid.materials.size(); ++m) {
         if (!grid.materials[m].explosive.burns()) grid.now.unburnt[m].clear();
     }
@@ -201,7 +209,8 @@ FieldSet cell_fields(const EulerGrid& grid)
     const std::size_t count = grid.cells();
     FieldSet set{"euler", {}};
     const auto add = [&](const char* name, const char* unit, const char* meaning, auto value) {
-        set.fields.push_back(derived_field<float>(name, unit, meaning, count, [value](std::size_t c) { return static_cast<float>(value(c)); }));
+        set.fields.push_back(
+            derived_field<float>(name, unit, meaning, count, [value](std::size_t c) { return static_cast<float>(value(c)); }));
     };
     add("density", "kg/m3", "of all gases together", [&grid](std::size_t c) { return look(grid, c).density; });
     add("pressure", "Pa", "of the mixture", [&grid](std::size_t c) { return look(grid, c).pressure; });
@@ -209,9 +218,8 @@ FieldSet cell_fields(const EulerGrid& grid)
     set.fields.push_back(derived_field<Vector3f>("velocity", "m/s", "of the mixture", count,
                                                  [&grid](std::size_t c) { return Vector3f(look(grid, c).velocity); }));
     for (std::size_t m = 0; m < grid.materials.size(); ++m) {
-        set.fields.push_back(derived_field<float>("share_" + grid.materials[m].name, "1", "share of the volume", count, [&grid, m](std::size_t c) {
-            return static_cast<float>(share_of(grid.now, m, c));
-        }));
+        set.fields.push_back(derived_field<float>("share_" + grid.materials[m].name, "1", "share of the volume", count,
+                                                  [&grid, m](std::size_t c) { return static_cast<float>(share_of(grid.now, m, c)); }));
     }
     return set;
 }

@@ -18,7 +18,7 @@ namespace corpuscle {
 inline constexpr std::size_t most_euler_materials = 4, most_block_cells = 32;
 
 /// A material with less than this share of a cell is a trace: it shows no pressure of its own [1].
-inline constexpr double least_share = 1e-9;
+inline constexpr double least_share = 1e-12;
 
 /// What an edge of the grid does.
 enum class EulerEdge {
@@ -28,20 +28,19 @@ enum class EulerEdge {
 
 /// Where and when an explosive is lit.
 struct EulerLighting {
-    Vector3d point;   ///< [m]; (radius, height, 0) in an axisymmetric grid, (radius, 0, 0) in a spherical one
+    Vector3d point;   ///< [m]; (0, height, 0) in an axisymmetric grid, (0, 0, 0) in a spherical one
     double time = 0;  ///< [s]
 };
 
 /// What of a material waits to burn: it is then the products' law with less energy, so that it rests under the pressure around it.
 struct EulerExplosive {
-    double energy = 0;               ///< of detonation, specific [J/kg]
-    double held_energy = 0;          ///< that the burning adds to what is in the grid, specific [J/kg]: `energy` less that of matter at rest
+    double energy = 0;       ///< of detonation, specific [J/kg]
+    double held_energy = 0;  ///< that the burning adds to what is in the grid, specific [J/kg]: `energy` less that of matter at rest
     double detonation_velocity = 0;  ///< [m/s]; 0: no explosive
     std::vector<EulerLighting> lightings;
+    double burnt_out = 0;  ///< when the detonation has passed all that waited at the start; set by the fill [s]
 
     [[nodiscard]] bool burns() const { return detonation_velocity > 0; }
-    /// When the detonation reaches `place`, straight from the nearest point in time [s].
-    [[nodiscard]] double burn_time(const Vector3d& place) const;
 };
 
 /// A gas of the grid.
@@ -115,10 +114,10 @@ struct EulerGrid {
     EulerState now, next;  ///< `next` is room for the step to come; quiet blocks are alike in both
     std::vector<EulerBlock> blocks;
     std::array<std::size_t, 3> block_counts{};
-    EulerPassages passages{};    ///< given to the edges since the start of the run
-    double pressure_floor = 0;   ///< least pressure that a cell shows [Pa]
-    double step_limit = 0;       ///< stable step found by the last survey [s]
-    std::uint64_t worked = 0;    ///< cells computed since the start of the run, over all steps
+    EulerPassages passages{};   ///< given to the edges since the start of the run
+    double pressure_floor = 0;  ///< least pressure that a cell shows [Pa]
+    double step_limit = 0;      ///< stable step found by the last survey [s]
+    std::uint64_t worked = 0;   ///< cells computed since the start of the run, over all steps
 
     [[nodiscard]] std::size_t cells() const { return axes[0].cells() * axes[1].cells() * axes[2].cells(); }
     [[nodiscard]] std::size_t cell(std::size_t i, std::size_t j, std::size_t k) const
@@ -127,10 +126,13 @@ struct EulerGrid {
     }
     [[nodiscard]] std::array<std::size_t, 3> place(std::size_t cell) const;  ///< numbers along the axes
     [[nodiscard]] Vector3d middle(std::size_t cell) const;                   ///< [m]
-    [[nodiscard]] double volume(std::size_t cell) const;  ///< of all that the cell stands for, the whole way round [m3]
+    [[nodiscard]] double volume(std::size_t cell) const;                     ///< of all that the cell stands for, the whole way round [m3]
     /// All round what the axes leave out: 1, 2 pi, 4 pi.
     [[nodiscard]] double round() const;
 };
+
+/// When the detonation of an explosive reaches a cell, straight from the nearest point in time; inert axes do not count [s].
+[[nodiscard]] double burn_time(const EulerGrid& grid, const EulerExplosive& explosive, std::size_t cell);
 
 /// A grid without content. `faces` of an inert axis: two, whose distance is its depth. Errors: InputError.
 [[nodiscard]] EulerGrid make_grid(EulerSpace space, const std::array<std::vector<double>, 3>& faces,
@@ -147,11 +149,11 @@ struct EulerContents {
 
 /// A cell in words.
 struct EulerCell {
-    double density = 0;          ///< of the mixture [kg/m3]
-    Vector3d velocity;           ///< [m/s]
-    double pressure = 0;         ///< [Pa]
-    double energy = 0;           ///< internal, per volume [J/m3]
-    double sound_speed = 0;      ///< of the mixture [m/s]
+    double density = 0;                                ///< of the mixture [kg/m3]
+    Vector3d velocity;                                 ///< [m/s]
+    double pressure = 0;                               ///< [Pa]
+    double energy = 0;                                 ///< internal, per volume [J/m3]
+    double sound_speed = 0;                            ///< of the mixture [m/s]
     std::array<double, most_euler_materials> share{};  ///< of the volume
 };
 [[nodiscard]] EulerCell look(const EulerGrid& grid, std::size_t cell);

@@ -8,10 +8,10 @@ namespace corpuscle {
 /// are reconstructed by slopes.
 template <std::size_t M>
 struct Primitive {
-    static constexpr std::size_t density(std::size_t m) { return m; }      ///< of a material in its own part [kg/m3]
-    static constexpr std::size_t cold(std::size_t m) { return M + m; }     ///< Q of its law [Pa]
+    static constexpr std::size_t density(std::size_t m) { return m; }                             ///< of a material in its own part [kg/m3]
+    static constexpr std::size_t cold(std::size_t m) { return M + m; }                            ///< Q of its law [Pa]
     static constexpr std::size_t velocity(int d) { return 2 * M + static_cast<std::size_t>(d); }  ///< [m/s]
-    static constexpr std::size_t pressure = 2 * M + 3;                     ///< [Pa]
+    static constexpr std::size_t pressure = 2 * M + 3;                                            ///< [Pa]
     static constexpr std::size_t advected = 2 * M + 4;
     static constexpr std::size_t stiff(std::size_t m) { return advected + m; }      ///< Z of its law [Pa]
     static constexpr std::size_t share(std::size_t m) { return advected + M + m; }  ///< of the volume [1]

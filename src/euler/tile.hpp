@@ -23,12 +23,12 @@ struct TileAxis {
     std::size_t cells = 1, halo = 0, total = 1;  ///< of the block; on each side; together
     std::size_t stride = 0;                      ///< in the tile
     std::array<std::size_t, longest_row> source{};
-    std::array<double, longest_row> sign{};           ///< -1 where the source is a mirror's image
-    std::array<double, longest_row> to_lower{};       ///< width over the distance of middles to the cell before
-    std::array<double, longest_row> to_upper{};       ///< and to the cell behind
-    std::array<double, longest_row> inverse_width{};  ///< [1/m]
-    std::array<double, longest_row> curvature{};      ///< (area behind - area before)/volume [1/m]
-    std::array<double, longest_row> area{};           ///< of the lower faces of the block's own cells and of the last upper one
+    std::array<double, longest_row> sign{};            ///< -1 where the source is a mirror's image
+    std::array<double, longest_row> to_lower{};        ///< width over the distance of middles to the cell before
+    std::array<double, longest_row> to_upper{};        ///< and to the cell behind
+    std::array<double, longest_row> inverse_width{};   ///< [1/m]
+    std::array<double, longest_row> curvature{};       ///< (area behind - area before)/volume [1/m]
+    std::array<double, longest_row> area{};            ///< of the lower faces of the block's own cells and of the last upper one
     std::array<double, longest_row> inverse_volume{};  ///< of the block's own cells
 };
 
@@ -40,20 +40,22 @@ struct MixedCell {
 /// Room for a block's computation, of one thread.
 struct EulerTile {
     std::array<TileAxis, 3> axes;
-    std::size_t size = 0;                 ///< cells, halo included
-    std::vector<std::size_t> materials;   ///< those that are in sight
-    std::vector<double> state;            ///< of the cells: quantity by quantity, see flow.cpp
-    std::vector<double> drift;            ///< their change over half a step
-    std::vector<double> change;           ///< of the conserved numbers of the block's own cells, per time
-    std::vector<double> unburnt;          ///< share of its mass that waits, of each material in sight
-    std::vector<double> unburnt_change;   ///< of the mass that waits, per volume and time
-    std::vector<std::int32_t> mixed;      ///< number of a mixed cell, -1 elsewhere
+    std::size_t size = 0;                ///< cells, halo included
+    std::vector<std::size_t> materials;  ///< those that are in sight
+    std::vector<double> state;           ///< of the cells: quantity by quantity, see flow.cpp
+    std::vector<double> drift;           ///< their change over half a step
+    std::vector<double> change;          ///< of the conserved numbers of the block's own cells, per time
+    std::vector<double> unburnt;         ///< share of its mass that waits, of each material in sight
+    std::vector<double> unburnt_change;  ///< of the mass that waits, per volume and time
+    std::vector<std::int32_t> mixed;     ///< number of a mixed cell, -1 elsewhere
     std::vector<MixedCell> mixed_cells;
 
     /// Number of a cell by its place in the block; halo cells have places below 0 or beyond the end.
     [[nodiscard]] std::size_t at(std::ptrdiff_t i, std::ptrdiff_t j, std::ptrdiff_t k) const
     {
-        const auto along = [&](int d, std::ptrdiff_t n) { return static_cast<std::size_t>(n + static_cast<std::ptrdiff_t>(axes[d].halo)) * axes[d].stride; };
+        const auto along = [&](int d, std::ptrdiff_t n) {
+            return static_cast<std::size_t>(n + static_cast<std::ptrdiff_t>(axes[d].halo)) * axes[d].stride;
+        };
         return along(0, i) + along(1, j) + along(2, k);
     }
 };

@@ -42,5 +42,15 @@ TEST(Fast, turn_is_as_near_as_said)
     EXPECT_LT(worst, 5e-7);
 }
 
+/// Against std::exp, itself within one unit of the last place.
+TEST(Fast, exponential)
+{
+    double worst = 0;
+    for (double x = -708; x < 709; x += 0.00917) worst = std::max(worst, std::abs(fast_exp(x) / std::exp(x) - 1));
+    EXPECT_LT(worst, 6e-16);
+    EXPECT_EQ(fast_exp(0), 1);
+    EXPECT_EQ(fast_exp(-1e9), fast_exp(-708));
+}
+
 }  // namespace
 }  // namespace corpuscle

@@ -138,5 +138,20 @@ TEST(ExclusiveScan, TurnsCountsIntoStarts)
     EXPECT_EQ(exclusive_scan(none), 0);
 }
 
+TEST(LoopsWithRoom, each_thread_works_in_its_own)
+{
+    std::vector<std::vector<int>> rooms(3, std::vector<int>(1));
+    std::vector<int> done(1000);
+    for_each_with(rooms, done.size(), [&](std::vector<int>& room, std::size_t i) {
+        ++room[0];
+        ++done[i];
+    });
+    EXPECT_EQ(rooms[0][0] + rooms[1][0] + rooms[2][0], 1000);
+    EXPECT_EQ(done, std::vector<int>(1000, 1));
+    std::vector<double> squares(37);
+    for_simd(squares.size(), [&](std::size_t i) { squares[i] = static_cast<double>(i * i); });
+    for (std::size_t i = 0; i < squares.size(); ++i) EXPECT_EQ(squares[i], static_cast<double>(i * i));
+}
+
 }  // namespace
 }  // namespace corpuscle

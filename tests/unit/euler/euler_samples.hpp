@@ -5,6 +5,16 @@
 
 namespace corpuscle {
 
+/// Products of TNT, and its energy [J/kg].
+inline const Jwl tnt_products{371.2e9, 3.231e9, 4.15, 0.95, 0.3, 1630};
+constexpr double tnt_energy = 7e9 / 1630;
+
+/// Gases without explosive.
+inline EulerMaterial plain(const char* name, const EquationOfState& law)
+{
+    return {name, law, {}};
+}
+
 /// A grid of equal cells in the unit cube, square or line (dims 1 are inert), all edges alike.
 inline EulerGrid unit_grid(std::size_t nx, std::size_t ny, std::size_t nz, EulerEdge edge, std::vector<EulerMaterial> materials,
                            const EulerSettings& settings = {})
