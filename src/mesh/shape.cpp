@@ -21,7 +21,7 @@ void require_finite(const Vector3d& point, const char* what)
     if (!std::isfinite(norm_squared(point))) throw InputError(fmt::format("{} is not finite", what), "give three numbers");
 }
 
-void require_size(double value, const char* what)
+void require_length(double value, const char* what)
 {
     if (!(value > 0.0) || !std::isfinite(value)) throw InputError(fmt::format("{} is {:.6g} m", what, value), "give a length above 0");
 }
@@ -183,36 +183,36 @@ Shape Shape::box(const Box& box)
 {
     require_finite(box.lower, "the lower corner of a box");
     require_finite(box.upper, "the upper corner of a box");
-    for (int a = 0; a < 3; ++a) require_size(box.size()[a], "a side of a box");
+    for (int a = 0; a < 3; ++a) require_length(box.size()[a], "a side of a box");
     return Shape(box);
 }
 
 Shape Shape::sphere(const Vector3d& center, double radius)
 {
     require_finite(center, "the center of a sphere");
-    require_size(radius, "the radius of a sphere");
+    require_length(radius, "the radius of a sphere");
     return Shape(Ellipsoid{center, {radius, radius, radius}});
 }
 
 Shape Shape::hemisphere(const Vector3d& center, double radius, const Vector3d& axis)
 {
     require_finite(center, "the center of a hemisphere");
-    require_size(radius, "the radius of a hemisphere");
+    require_length(radius, "the radius of a hemisphere");
     return Shape(Hemisphere{center, radius, require_axis(axis, "the axis of a hemisphere")});
 }
 
 Shape Shape::cylinder(const Vector3d& center, double radius, double length, const Vector3d& axis)
 {
     require_finite(center, "the center of a cylinder");
-    require_size(radius, "the radius of a cylinder");
-    require_size(length, "the length of a cylinder");
+    require_length(radius, "the radius of a cylinder");
+    require_length(length, "the length of a cylinder");
     return Shape(Cylinder{center, radius, length, require_axis(axis, "the axis of a cylinder")});
 }
 
 Shape Shape::ellipsoid(const Vector3d& center, const Vector3d& semi_axes)
 {
     require_finite(center, "the center of an ellipsoid");
-    for (int a = 0; a < 3; ++a) require_size(semi_axes[a], "a semi-axis of an ellipsoid");
+    for (int a = 0; a < 3; ++a) require_length(semi_axes[a], "a semi-axis of an ellipsoid");
     return Shape(Ellipsoid{center, semi_axes});
 }
 

@@ -9,9 +9,9 @@ namespace corpuscle {
 namespace {
 
 /// Reads integers and reals of either flavour; integers are 4 bytes in binary.
-class Reader {
+class Gmsh2Reader {
 public:
-    Reader(Scanner& scanner, bool binary) : scanner_(scanner), binary_(binary) {}
+    Gmsh2Reader(Scanner& scanner, bool binary) : scanner_(scanner), binary_(binary) {}
 
     std::int64_t integer(const char* what) { return binary_ ? scanner_.bytes<int>(what) : scanner_.integer(what); }
     Vector3d point()
@@ -36,7 +36,7 @@ std::size_t head_count(Scanner& scanner, std::size_t least_bytes, const char* wh
 
 void read_nodes(Scanner& scanner, bool binary, GmshContent& content)
 {
-    Reader reader(scanner, binary);
+    Gmsh2Reader reader(scanner, binary);
     const std::size_t count = head_count(scanner, binary ? 28 : 8, "nodes");
     for (std::size_t i = 0; i < count; ++i) {
         const std::int64_t tag = reader.integer("the number of a node");
@@ -45,7 +45,7 @@ void read_nodes(Scanner& scanner, bool binary, GmshContent& content)
 }
 
 /// The tags behind an element's type: the first is its physical group (0: none).
-std::vector<std::int64_t> read_groups(Scanner& scanner, Reader& reader, std::int64_t tags)
+std::vector<std::int64_t> read_groups(Scanner& scanner, Gmsh2Reader& reader, std::int64_t tags)
 {
     if (tags < 0 || tags > 1000) scanner.fail(fmt::format("an element with {} tags", tags), "the file may be damaged: save it again");
     std::vector<std::int64_t> groups;
@@ -56,7 +56,7 @@ std::vector<std::int64_t> read_groups(Scanner& scanner, Reader& reader, std::int
     return groups;
 }
 
-std::array<std::int64_t, 8> read_corners(Reader& reader, int count)
+std::array<std::int64_t, 8> read_corners(Gmsh2Reader& reader, int count)
 {
     std::array<std::int64_t, 8> corners{};
     for (int i = 0; i < count; ++i) corners[i] = reader.integer("a node of an element");
@@ -65,7 +65,7 @@ std::array<std::int64_t, 8> read_corners(Reader& reader, int count)
 
 void read_text_elements(Scanner& scanner, GmshContent& content)
 {
-    Reader reader(scanner, false);
+    Gmsh2Reader reader(scanner, false);
     const std::size_t count = head_count(scanner, 6, "elements");
     for (std::size_t i = 0; i < count; ++i) {
         scanner.integer("the number of an element");
@@ -78,7 +78,7 @@ void read_text_elements(Scanner& scanner, GmshContent& content)
 /// Blocks of elements of one type, each with a head of type, number of elements and number of tags.
 void read_binary_elements(Scanner& scanner, GmshContent& content)
 {
-    Reader reader(scanner, true);
+    Gmsh2Reader reader(scanner, true);
     const std::size_t count = head_count(scanner, 8, "elements");
     for (std::size_t done = 0; done < count;) {
         const GmshType type = gmsh_type(scanner, reader.integer("the type of a block"));

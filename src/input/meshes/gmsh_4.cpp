@@ -13,9 +13,9 @@ using Entity = std::pair<int, std::int64_t>;  // dimension and number
 using Groups = std::map<Entity, std::vector<std::int64_t>>;
 
 /// Reads the numbers of either flavour: in binary, tags of entities are 4 bytes, counts and other tags 8.
-class Reader {
+class Gmsh4Reader {
 public:
-    Reader(Scanner& scanner, bool binary) : scanner_(scanner), binary_(binary) {}
+    Gmsh4Reader(Scanner& scanner, bool binary) : scanner_(scanner), binary_(binary) {}
 
     std::int64_t small(const char* what) { return binary_ ? scanner_.bytes<int>(what) : scanner_.integer(what); }
     std::int64_t large(const char* what)
@@ -36,7 +36,7 @@ private:
 };
 
 /// One entity: its number, box, physical groups (negative: turned) and, but for points, what bounds it.
-void read_entity(Reader& reader, int dimension, Groups& groups)
+void read_entity(Gmsh4Reader& reader, int dimension, Groups& groups)
 {
     const Entity entity{dimension, reader.small("the number of an entity")};
     reader.point();
@@ -51,7 +51,7 @@ void read_entity(Reader& reader, int dimension, Groups& groups)
     for (std::size_t i = 0; i < bounding; ++i) reader.small("a bounding entity");
 }
 
-Groups read_entities(Reader& reader)
+Groups read_entities(Gmsh4Reader& reader)
 {
     std::array<std::size_t, 4> counts{};
     for (std::size_t& count : counts) count = reader.count(8, "entities");
@@ -67,7 +67,7 @@ struct Head {
     std::size_t entries;
 };
 
-Head read_head(Reader& reader, const char* what)
+Head read_head(Gmsh4Reader& reader, const char* what)
 {
     const Head head{reader.count(8, "blocks"), reader.count(2, what)};
     reader.large("the smallest tag");
@@ -75,7 +75,7 @@ Head read_head(Reader& reader, const char* what)
     return head;
 }
 
-void read_nodes(Scanner& scanner, Reader& reader, GmshContent& content)
+void read_nodes(Scanner& scanner, Gmsh4Reader& reader, GmshContent& content)
 {
     const Head head = read_head(reader, "nodes");
     std::size_t read = 0;
@@ -95,7 +95,7 @@ void read_nodes(Scanner& scanner, Reader& reader, GmshContent& content)
     if (read != head.entries) scanner.fail(fmt::format("{} nodes were announced, {} came", head.entries, read), "save the file again");
 }
 
-void read_elements(Scanner& scanner, Reader& reader, const Groups& groups, GmshContent& content)
+void read_elements(Scanner& scanner, Gmsh4Reader& reader, const Groups& groups, GmshContent& content)
 {
     const Head head = read_head(reader, "elements");
     std::size_t read = 0;
@@ -121,7 +121,7 @@ void read_elements(Scanner& scanner, Reader& reader, const Groups& groups, GmshC
 
 void read_gmsh_4(Scanner& scanner, bool binary, GmshContent& content)
 {
-    Reader reader(scanner, binary);
+    Gmsh4Reader reader(scanner, binary);
     Groups groups;
     for (std::string section = next_section(scanner); !section.empty(); section = next_section(scanner)) {
         if (section == "PhysicalNames") read_physical_names(scanner, content);

@@ -13,7 +13,7 @@ namespace {
 constexpr double log_step = 0.005;
 
 /// Virial over kinetic pressure that counts as nothing.
-constexpr double nothing = 1e-12;
+constexpr double negligible = 1e-12;
 
 }  // namespace
 
@@ -28,7 +28,7 @@ bool Isentrope::ideal(const Node& node) const
 {
     const double density = std::exp(node.log_density);
     const double kinetic = (heat_capacity_ratio(law_) - 1) * density * node.energy;
-    return std::abs(virial_pressure(law_, density, kinetic)) <= nothing * kinetic;
+    return std::abs(virial_pressure(law_, density, kinetic)) <= negligible * kinetic;
 }
 
 Isentrope::Node Isentrope::slope(const Node& node) const
