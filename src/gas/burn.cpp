@@ -34,10 +34,11 @@ bool may_burn(const Gas& gas, double time)
 Passage burn(Gas& gas, const Clock& clock)
 {
     if (!may_burn(gas, clock.time())) return {};
-    const Burnt burnt = sum_chunks<Burnt>(gas.particles.size(), [&](std::size_t begin, std::size_t end) {
+    const std::size_t awake = gas.sleeping.particles;
+    const Burnt burnt = sum_chunks<Burnt>(gas.particles.size() - awake, [&](std::size_t begin, std::size_t end) {
         Burnt part;
         part.particles.resize(gas.charges.size());
-        for (std::size_t i = begin; i < end; ++i) {
+        for (std::size_t i = awake + begin; i < awake + end; ++i) {
             Particle& particle = gas.particles[i];
             if (!(particle.tag & particle_tag::unburnt)) continue;
             const std::uint32_t charge = particle_tag::charge(particle.tag);

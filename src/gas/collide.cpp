@@ -9,6 +9,7 @@
 #include "gas/dice.hpp"
 #include "gas/faces.hpp"
 #include "gas/hard_spheres.hpp"
+#include "gas/sleep.hpp"
 #include "laws/collision/hard_sphere.hpp"
 #include "laws/collision/larsen_borgnakke.hpp"
 #include "laws/collision/virial.hpp"
@@ -36,6 +37,9 @@ float inverse_cube_root(std::uint32_t n)
 constexpr float stiff_ratio = 0.1f;
 /// Below this part it is left out.
 constexpr float negligible_ratio = 1e-4f;
+
+/// More collisions of a particle in a step, in the mean, would only cost: its velocity is forgotten already.
+constexpr float most_collisions = 2;
 
 /// How much the virial pressure of a group matters.
 enum class Virial { none, slight, stiff };
@@ -110,9 +114,12 @@ struct Tally {
     std::vector<Displacement> displaced;
     double step_limit = std::numeric_limits<double>::infinity();
     std::uint64_t collisions = 0;
+    std::vector<double> found;  ///< how far each disturbance was seen [m]
 
     Tally& operator+=(const Tally& other)
     {
+        found.resize(std::max(found.size(), other.found.size()));
+        for (std::size_t d = 0; d < other.found.size(); ++d) found[d] = std::max(found[d], other.found[d]);
         passages += other.passages;
         displaced.insert(displaced.end(), other.displaced.begin(), other.displaced.end());
         step_limit = std::min(step_limit, other.step_limit);
@@ -179,6 +186,19 @@ private:
             moving += own > 0 ? 1.0f : 0.0f;
         }
         if (rate > 0) tally.step_limit = std::min(tally.step_limit, static_cast<double>(moving / rate));
+        if (gas_.sleeping.any()) look_for_disturbance(group, tally);
+    }
+
+    /// Notes where gas moves faster than undisturbed gas does.
+    void look_for_disturbance(const Cell& group, Tally& tally) const
+    {
+        float energy = 0;
+        for (std::uint32_t i = group.first; i < group.end(); ++i) {
+            const Particle& particle = gas_.particles[i];
+            energy += 0.5f * mass_of(particle) * norm_squared(particle.velocity);
+        }
+        const double volume = gas_.cells.curve.volume(static_cast<int>(group.depth));
+        note_disturbance(gas_, Vector3d(gas_.particles[group.first].position), static_cast<double>(energy) / volume, tally.found);
     }
 
     /// Measures a group's densities and how much their virial pressure matters beside the kinetic one.
@@ -318,9 +338,7 @@ private:
     /// Draws candidate pairs and collides those that are accepted.
     void draw_pairs(const Cell& cell, const Members& members, const CellState& state, Dice& dice, Tally& tally) const
     {
-        const float path = mean_free_path(state);
-        const float wanted = candidate_pairs(state.particles, state.fastest_pair, duration_, path);
-        const float candidates = std::min(wanted, 2 * state.particles);
+        const float candidates = candidate_pairs(state.particles, state.fastest_pair, duration_, mean_free_path(state));
         float length = 0;
         if (state.virial_pressure != 0) {
             const float rate = candidates / state.fastest_pair;
@@ -349,6 +367,13 @@ private:
     /// Mean free path in a cell [m]. A dense gas keeps at least one spacing over 1 + p_v/p_k: with more collisions in a step than that the
     /// displacements would no longer add up to the virial pressure.
     float mean_free_path(const CellState& state) const
+    {
+        // A limit on the candidates themselves would let the fastest pair, which collisions change, set the rate: no detailed balance.
+        const float shortest = mean_relative_speed(state.thermal_speed) * duration_ / (std::numbers::sqrt2_v<float> * most_collisions);
+        return std::max(shortest, wanted_path(state));
+    }
+
+    float wanted_path(const CellState& state) const
     {
         const auto cross_section = static_cast<float>(gas_.settings.cross_section);
         if (cross_section > 0) return state.volume / (std::numbers::sqrt2_v<float> * state.particles * cross_section * state.enskog());
@@ -438,6 +463,7 @@ void run(Gas& gas, const Clock& clock, const FacetTree* walls)
     gas.displaced = std::move(tally.displaced);
     gas.step_limit = gas.settings.cfl * tally.step_limit;
     gas.collisions += tally.collisions;
+    gas.sleeping.found = std::move(tally.found);
 }
 
 }  // namespace

@@ -66,13 +66,13 @@ private:
         for (std::size_t i = 0; i < block_words; ++i) {
             const float cosine = 2 * unit_float(first[i]) - 1, sine = std::sqrt(1 - cosine * cosine);
             const Turn turn = fast_turn(unit_float(second[i]));
-            const float x = sine * turn.cosine, y = sine * turn.sine;
-            // A step of Newton's in double: directions too short in the mean would cool the gas.
-            const double dx = x, dy = y, dz = cosine;
-            const auto short_by = static_cast<float>(0.5 - 0.5 * (dx * dx + dy * dy + dz * dz));
-            x_[i] = x + x * short_by;
-            y_[i] = y + y * short_by;
-            z_[i] = cosine + cosine * short_by;
+            // Directions too short in the mean would cool the gas: a step of Newton's in double, rounded up or down at random, with the bits
+            // that are left of the words.
+            const double x = sine * turn.cosine, y = sine * turn.sine, z = cosine;
+            const double scale = 1.5 - 0.5 * (x * x + y * y + z * z);
+            x_[i] = round_at_random(x * scale, first[i]);
+            y_[i] = round_at_random(y * scale, second[i]);
+            z_[i] = round_at_random(z * scale, first[i] ^ second[i]);
         }
         directions_used_ = 0;
     }

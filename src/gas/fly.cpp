@@ -70,8 +70,10 @@ void fly(Gas& gas, const Clock& clock, const FacetTree& walls)
     const FacetTree* facets = walls.size() == 0 ? nullptr : &walls;
     const auto duration = static_cast<float>(clock.duration());
     gather_displacements(gas.displaced);
-    Flown flown = sum_chunks<Flown>(gas.particles.size(),
-                                    [&](std::size_t begin, std::size_t end) { return fly_chunk(gas, duration, facets, begin, end); });
+    const std::size_t awake = gas.sleeping.particles;
+    Flown flown = sum_chunks<Flown>(gas.particles.size() - awake, [&](std::size_t begin, std::size_t end) {
+        return fly_chunk(gas, duration, facets, awake + begin, awake + end);
+    });
     gas.passages += flown.passages;
     gas.pending = std::move(flown.pending);
     gas.displaced.clear();

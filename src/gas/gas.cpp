@@ -21,15 +21,18 @@ double Charge::first_time() const
 
 GasContents contents(const Gas& gas)
 {
-    return sum_chunks<GasContents>(gas.particles.size(), [&](std::size_t begin, std::size_t end) {
+    const std::size_t awake = gas.sleeping.particles;
+    GasContents total = sum_chunks<GasContents>(gas.particles.size() - awake, [&](std::size_t begin, std::size_t end) {
         GasContents part;
-        for (std::size_t i = begin; i < end; ++i) {
+        for (std::size_t i = awake + begin; i < awake + end; ++i) {
             const Particle& particle = gas.particles[i];
             if (particle.tag & particle_tag::gone) continue;
             (particle.tag & particle_tag::unburnt ? part.explosive : part.gas) += carried(gas, particle);
         }
         return part;
     });
+    total.gas += gas.sleeping.held;
+    return total;
 }
 
 }  // namespace corpuscle

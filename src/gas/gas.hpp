@@ -8,6 +8,7 @@
 #include "gas/cells.hpp"
 #include "gas/domain.hpp"
 #include "gas/particle.hpp"
+#include "gas/sleeping_gas.hpp"
 #include "gas/species.hpp"
 
 namespace corpuscle {
@@ -81,8 +82,9 @@ struct Gas {
     std::vector<Charge> charges;
     AmbientGas ambient;
 
-    std::vector<Particle> particles;  ///< in the order of the cell curve after a sort; newcomers at the end
-    Cells cells;                      ///< as cut by the last sort
+    std::vector<Particle> particles;  ///< those asleep, then the others in the order of the cell curve; newcomers at the end
+    SleepingGas sleeping;
+    Cells cells;  ///< as cut by the last sort
     std::vector<Displacement> displaced;
     std::vector<Pending> pending;                  ///< flights of this step that end near a surface
     FacePassages passages;                         ///< given to the faces since the start of the run

@@ -54,6 +54,7 @@ void flow_in(Gas& gas, const Clock& clock, const FacetTree* walls)
         for (int left = entering(gas, face, clock.duration(), random); left > 0; --left) {
             Particle particle = newcomer(gas, face, random);
             const double start = random.uniform_double();
+            if (gas.sleeping.holds(gas.cells.curve.key(particle.position))) continue;
             const Passage brought = carried(gas, particle);
             gas.passages.face[face] += {-brought.mass, -1.0 * brought.momentum, -brought.energy};
             const Vector3f path = static_cast<float>(clock.duration() * (1 - start)) * particle.velocity;

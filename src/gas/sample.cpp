@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "gas/hard_spheres.hpp"
+#include "gas/sleep.hpp"
 #include "parallel/sort.hpp"
 
 namespace corpuscle {
@@ -365,6 +366,7 @@ FieldSet state(Gas& gas)
         }
     };
     add_buckets(set, gas.cells, gas.domain.box);
+    add_sleep_state(set, gas);
     return set;
 }
 

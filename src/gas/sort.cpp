@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "gas/divide.hpp"
+#include "gas/sleep.hpp"
 #include "parallel/sort.hpp"
 
 namespace corpuscle {
@@ -78,9 +79,10 @@ private:
 /// Particles that change their bucket, newcomers included.
 struct Movers {
     std::vector<Particle> particles;
-    Places bucket;  ///< of each
-    Places order;   ///< of the particles by bucket
-    Places start;   ///< first in `order` of each bucket, and the end
+    Places bucket;                 ///< of each
+    Places order;                  ///< of the particles by bucket
+    Places start;                  ///< first in `order` of each bucket, and the end
+    std::vector<Vector3d> turned;  ///< impulses of particles that gas asleep turned back [N s]
 
     void add(const Particle& particle, std::uint32_t to)
     {
@@ -89,6 +91,16 @@ struct Movers {
     }
     [[nodiscard]] std::uint32_t coming_to(std::size_t b) const { return start[b + 1] - start[b]; }
 };
+
+/// Where a particle is, after it has been turned back if gas sleeps there.
+CellCurve::Steps awake_place(const Gas& gas, Particle& particle, Movers& movers)
+{
+    const CellCurve& curve = gas.cells.curve;
+    const CellCurve::Steps place = curve.steps(particle.position);
+    if (!gas.sleeping.holds(curve.key(place))) return place;
+    movers.turned.push_back(turn_back(gas, particle));
+    return curve.steps(particle.position);
+}
 
 /// Lists the particles that leave a bucket and marks them as gone there. Returns how many stay.
 std::uint32_t pick_movers(Gas& gas, std::size_t b, const BucketFinder& find, Movers& movers)
@@ -100,23 +112,32 @@ std::uint32_t pick_movers(Gas& gas, std::size_t b, const BucketFinder& find, Mov
     std::uint32_t kept = 0;
     for (std::uint32_t i = bucket.first; i < end; ++i) {
         Particle& particle = gas.particles[i];
-        const CellCurve::Steps place = curve.steps(particle.position);
-        const bool stays = !(particle.tag & particle_tag::gone) && extent.holds(place);
-        kept += stays;
-        if (stays || particle.tag & particle_tag::gone) continue;
+        if (particle.tag & particle_tag::gone) continue;
+        CellCurve::Steps place = curve.steps(particle.position);
+        if (!extent.holds(place)) place = awake_place(gas, particle, movers);
+        if (extent.holds(place)) {
+            ++kept;
+            continue;
+        }
         movers.add(particle, find(curve.key(place)));
         particle.tag |= particle_tag::gone;
     }
     return kept;
 }
 
-/// Lists newcomers, which stand behind the sorted particles.
-void pick_newcomers(const Gas& gas, const BucketFinder& find, Movers& movers)
+/// Lists newcomers: gas that has woken, before the sorted particles, and gas that has come in, behind them.
+void pick_newcomers(Gas& gas, const BucketFinder& find, Movers& movers)
 {
-    for (std::size_t i = gas.cells.buckets.back().first; i < gas.particles.size(); ++i) {
-        const Particle& particle = gas.particles[i];
-        if (!(particle.tag & particle_tag::gone)) movers.add(particle, find(gas.cells.curve.key(particle.position)));
-    }
+    const auto pick = [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            Particle& particle = gas.particles[i];
+            if (particle.tag & particle_tag::gone) continue;
+            const CellCurve::Steps place = awake_place(gas, particle, movers);
+            movers.add(particle, find(gas.cells.curve.key(place)));
+        }
+    };
+    pick(gas.sleeping.particles, gas.cells.buckets.front().first);
+    pick(gas.cells.buckets.back().first, gas.particles.size());
 }
 
 /// Joins lists in their order.
@@ -147,6 +168,9 @@ Movers find_movers(Gas& gas, Places& kept)
             kept[b] = pick_movers(gas, b, find, lists[part]);
     });
     pick_newcomers(gas, find, lists.back());
+    for (const Movers& list : lists) {
+        for (const Vector3d& impulse : list.turned) gas.sleeping.turned.momentum += impulse;
+    }
     gas.cells.sort_bytes = 0;
     if (parts > 1) {
         for (const Movers& list : lists) gas.cells.sort_bytes += bytes(list.particles) + bytes(list.bucket);
@@ -160,9 +184,9 @@ Movers find_movers(Gas& gas, Places& kept)
     return movers;
 }
 
-/// Joins neighbouring halves that together will hold few: buckets are split as they fill, and so united as they empty. Compacts with them
-/// the buckets' new first particles and first movers.
-void unite(std::vector<Bucket>& buckets, Places& new_first, Places& first_mover, std::uint32_t limit)
+/// Joins neighbouring halves that together will hold few: buckets are split as they fill, and so united as they empty; but not to boxes
+/// that are halved less than `depth` times. Compacts with them the buckets' new first particles and first movers.
+void unite(std::vector<Bucket>& buckets, Places& new_first, Places& first_mover, std::uint32_t limit, int depth)
 {
     std::size_t united = 0;  // buckets so far
     for (std::size_t b = 0; b + 1 < buckets.size(); ++b) {
@@ -173,7 +197,7 @@ void unite(std::vector<Bucket>& buckets, Places& new_first, Places& first_mover,
             const Bucket &left = buckets[united - 2], &right = buckets[united - 1];
             const bool halves =
                 left.depth == right.depth && CellCurve::common_depth(left.start_key, right.start_key) == static_cast<int>(left.depth) - 1;
-            if (!halves || new_first[b + 1] - new_first[united - 2] > limit / 2) break;
+            if (!halves || static_cast<int>(left.depth) <= depth || new_first[b + 1] - new_first[united - 2] > limit / 2) break;
             --buckets[united - 2].depth;
         }
     }
@@ -296,14 +320,17 @@ void gather_pieces(Cells& cells, const std::vector<Segment>& segments, std::uint
 void make_buckets(Gas& gas)
 {
     std::vector<Particle>& particles = gas.particles;
+    const std::uint32_t awake = gas.sleeping.particles;  // the first of those that are
     std::erase_if(particles, [](const Particle& particle) { return particle.tag & particle_tag::gone; });
     gas.cells.curve = CellCurve(gas.domain.box);
     const CellCurve& curve = gas.cells.curve;
-    const int depth = std::min(16, static_cast<int>(std::bit_width(particles.size() / limits_of(gas.settings).bucket)));
+    const int enough = std::min(16, static_cast<int>(std::bit_width(particles.size() / limits_of(gas.settings).bucket)));
+    const int depth = gas.sleeping.any() ? std::max(enough, gas.sleeping.depth) : enough;
     const auto bucket_of = [&](const Particle& particle) { return curve.key(particle.position) >> (CellCurve::depth_limit - depth); };
     Places next(std::size_t{1} << depth);
-    for (const Particle& particle : particles) ++next[bucket_of(particle)];
+    for (std::size_t i = awake; i < particles.size(); ++i) ++next[bucket_of(particles[i])];
     exclusive_scan(next);
+    for (std::uint32_t& first : next) first += awake;
     std::vector<Bucket> buckets;
     for (const std::uint32_t first : next)
         buckets.push_back({buckets.size() * CellCurve::keys_of(depth), first, static_cast<std::uint32_t>(depth)});
@@ -329,9 +356,11 @@ void sort(Gas& gas)
     Places new_first(bucket_count(gas.cells) + 1, 0);
     Movers movers = find_movers(gas, new_first);
     for (std::size_t b = 0; b + 1 < new_first.size(); ++b) new_first[b] += movers.coming_to(b);
-    const std::uint32_t total = exclusive_scan(new_first);
+    exclusive_scan(new_first);
+    for (std::uint32_t& first : new_first) first += gas.sleeping.particles;
+    const std::uint32_t total = new_first.back();
     gas.particles.resize(std::max<std::size_t>(gas.particles.size(), total));
-    unite(gas.cells.buckets, new_first, movers.start, limits_of(gas.settings).bucket);
+    unite(gas.cells.buckets, new_first, movers.start, limits_of(gas.settings).bucket, gas.sleeping.any() ? gas.sleeping.depth : 0);
 
     const std::size_t buckets = bucket_count(gas.cells);
     const std::size_t count = pieces_of(buckets);

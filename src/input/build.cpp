@@ -119,6 +119,7 @@ std::unique_ptr<Model> build(const CaseDescription& description, CaseSurvey& sur
     model->end_time = description.end_time;
     model->output = make_output(description);
     for (const LoadInput& load : description.loads) add_load(*model, load);
+    let_sleep_beside_structure(*model);
     for (const ProbeInput& probe : description.probes) model->probes.push_back(make_probe(probe, model->structure, survey.warnings));
     for (const GaugeInput& gauge : description.gauges) model->gauges.push_back(make_gauge(gauge, *model));
     return model;

@@ -203,6 +203,19 @@ const Place& species_place(const GasPlan& plan, const CaseDescription& descripti
     return description.gas->fill->place;
 }
 
+/// Names all that disturbs the gas all around from the start: charges, other fills, open edges. Else gas that touches them could sleep.
+void add_disturbances(GasPlan& plan)
+{
+    std::vector<Disturbance>& disturbances = plan.gas.sleeping.disturbances;
+    for (std::size_t i = 1; i < plan.fills.size(); ++i) disturbances.push_back({plan.fills[i].shape.bounds(), 0});
+    for (int face = 0; face < face_count; ++face) {
+        if (plan.gas.domain.edges[static_cast<std::size_t>(face)] != Edge::open) continue;
+        Box sheet = plan.gas.domain.box;
+        (face % 2 == 0 ? sheet.upper : sheet.lower)[face / 2] = (face % 2 == 0 ? sheet.lower : sheet.upper)[face / 2];
+        disturbances.push_back({sheet, 0});
+    }
+}
+
 /// Gives every species the radius of its spheres. Beyond an ambient edge no sphere pushes: all pressure there is of motion, so gas flows
 /// in as from gas that is denser by the spheres' pressure over their kinetic one.
 void make_spheres(GasPlan& plan, const CaseDescription& description, std::vector<std::string>& warnings)
@@ -250,6 +263,8 @@ bool meets(const Shape& shape, const std::array<Vector3d, 3>& corner, double fin
 Gas fill_from_sphere(GasPlan plan)
 {
     const SphericalStart& start = *plan.start;
+    if (!plan.gas.sleeping.disturbances.empty())
+        plan.gas.sleeping.disturbances.push_back({Shape::sphere(start.gas[1].center, start.front).bounds(), 0});
     for (std::size_t i = 0; i < plan.fills.size(); ++i) {
         Fill& own = plan.fills[i];
         if (own.charge >= 0) {
@@ -300,6 +315,7 @@ GasPlan plan_gas(const CaseDescription& description, std::vector<std::string>& w
         std::find(plan.gas.domain.edges.begin(), plan.gas.domain.edges.end(), Edge::ambient) != plan.gas.domain.edges.end();
     if (ambient && !input.fill)
         warnings.emplace_back("edges are \"ambient\" but [gas] has no fill: vacuum lies outside, so they act as \"open\"");
+    if (input.fill && input.sleep) add_disturbances(plan);
     share_out(plan, input);
     if (input.collision == CollisionRule::hard_spheres) make_spheres(plan, description, warnings);
     std::vector<double> masses;

@@ -41,6 +41,23 @@ Holding Model::held(double duration) const
     return total;
 }
 
+void let_sleep_beside_structure(Model& model)
+{
+    SleepingGas& sleeping = model.gas.sleeping;
+    const Nodes& nodes = model.structure.nodes;
+    if (sleeping.disturbances.empty()) return;
+    bool moves = !model.loads.empty();
+    Box movable;
+    for (std::size_t n = 0; n < nodes.size(); ++n) {
+        moves = moves || norm_squared(nodes.velocity[n]) + norm_squared(nodes.angular_velocity[n]) > 0;
+        if (norm_squared(nodes.inverse_mass[n]) > 0) movable.include(nodes.position[n]);
+    }
+    if (!(movable.lower.x <= movable.upper.x)) return;
+    sleeping.movable = movable;
+    if (moves) sleeping.disturbances.push_back({movable, 0});
+    sleeping.movable_woken = moves;
+}
+
 void add_conwep(Model& model, std::uint32_t part, const ConwepCharge& charge)
 {
     model.loads.push_back(std::make_unique<ConwepLoad>(model.structure, part, charge));

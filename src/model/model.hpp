@@ -42,6 +42,9 @@ public:
     [[nodiscard]] Holding held(double duration) const;
 };
 
+/// Tells the gas, if any of it is to sleep, what of the structure can move, and whether it moves from the start.
+void let_sleep_beside_structure(Model& model);
+
 /// Adds the empirical blast load on a part to the model.
 void add_conwep(Model& model, std::uint32_t part, const ConwepCharge& charge);
 

@@ -10,6 +10,7 @@
 #include "gas/collide.hpp"
 #include "gas/fly.hpp"
 #include "gas/sample.hpp"
+#include "gas/sleep.hpp"
 #include "gas/sort.hpp"
 #include "parallel/loops.hpp"
 #include "simulation/machine.hpp"
@@ -71,6 +72,8 @@ std::unique_ptr<Simulation> Simulation::resume(std::unique_ptr<Model> model, Run
 /// Prepares bodies that have just been built for their first step.
 void Simulation::begin()
 {
+    model_->gas_structure.follow();
+    lay_to_sleep(model_->gas, model_->walls());
     sort(model_->gas);
     survey(model_->gas);
     model_->ledger.open(model_->held(0));
@@ -83,6 +86,7 @@ void Simulation::step()
     clock_.begin_step(next_step());
     phases_.time("burn", [&] { burn(); });
     phases_.time("accelerate", [&] { model.ledger.add(accelerate(model.structure, clock_)); });
+    phases_.time("wake", [&] { wake(model.gas, clock_); });
     phases_.time("redistribute", [&] { sort(model.gas); });
     phases_.time("follow", [&] { model.gas_structure.follow(); });
     phases_.time("collide", [&] { collide(model.gas, clock_, model.walls()); });
@@ -95,7 +99,7 @@ void Simulation::step()
     phases_.time("ledger", [&] { close_books(); });
     phases_.time("output", [&] { outputs_->write_due(clock_); });
     clock_.end_step();
-    work_.particle_steps += model.gas.particles.size();
+    work_.particle_steps += model.gas.particles.size() - model.gas.sleeping.particles;
     work_.element_steps += model.structure.element_count();
 }
 
@@ -128,6 +132,9 @@ void Simulation::close_books()
         model_->ledger.add(Transfer{"gas", outside(model_->gas.domain.edges[face]), given.mass, given.momentum, given.energy});
     }
     entered_ = passages;
+    const Passage turned = difference(model_->gas.sleeping.turned, entered_asleep_);
+    model_->ledger.add(Transfer{"gas", "sleeping gas", turned.mass, turned.momentum, turned.energy});
+    entered_asleep_ = model_->gas.sleeping.turned;
     model_->ledger.close_step(model_->held(clock_.duration()));
     check_soundness();
 }
@@ -338,6 +345,7 @@ void Simulation::take_up()
     wall_before_ = file.number("wall_seconds");
     cpu_before_ = file.number("cpu_seconds");
     entered_ = model_->gas.passages;
+    entered_asleep_ = model_->gas.sleeping.turned;
     OutputPlan plan = recorder_.plan(clock_);
     plan.state = [this] { return state(); };
     outputs_ = std::make_unique<Outputs>(folder_, std::move(plan), clock_.time());

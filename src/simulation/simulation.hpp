@@ -87,6 +87,7 @@ private:
     Recorder recorder_;
     std::unique_ptr<Outputs> outputs_;
     FacePassages entered_;    ///< passages of the gas that are in the ledger
+    Passage entered_asleep_;  ///< what gas asleep was given, as it is in the ledger
     double steady_step_ = 0;  ///< kept while it fits [s]
     std::string step_set_by_ = "gas";
     std::map<std::string, std::uint64_t> particles_at_start_;  ///< by species

@@ -143,6 +143,11 @@ const Table& table_of<GasInput>()
                   "meetings, or "
                   "the whole speed takes through a spacing.",
                   "0.4"})
+            .row("sleep", &GasInput::sleep,
+                 {"",
+                  {},
+                  "Undisturbed gas sleeps, at no cost, until the blast may have come near; `false` computes it from the start.",
+                  "false"})
             .table();
     return table;
 }

@@ -60,6 +60,7 @@ struct GasInput {
     StartRule start = StartRule::detonation;
     double relaxation = GasSettings{}.relaxation;
     double cfl = GasSettings{}.cfl;
+    bool sleep = true;
     Places places;
 };
 

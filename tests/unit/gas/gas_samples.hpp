@@ -11,6 +11,7 @@
 #include "gas/collide.hpp"
 #include "gas/fill.hpp"
 #include "gas/fly.hpp"
+#include "gas/sleep.hpp"
 #include "gas/sort.hpp"
 #include "parallel/loops.hpp"
 
@@ -46,11 +47,13 @@ inline void advance(Gas& gas, Clock& clock, double longest = std::numeric_limits
 {
     const FacetTree none{Surface{}};
     if (clock.step() == 0) {
+        lay_to_sleep(gas, none);
         sort(gas);
         survey(gas);
     }
     clock.begin_step(std::min(longest, stable_step(gas, clock.time())));
     burn(gas, clock);
+    wake(gas, clock);
     sort(gas);
     collide(gas, clock, none);
     fly(gas, clock, none);

@@ -52,5 +52,18 @@ TEST(Fast, exponential)
     EXPECT_EQ(fast_exp(-1e9), fast_exp(-708));
 }
 
+TEST(Fast, rounding_at_random_is_right_in_the_mean)
+{
+    for (const double exact : {1.0 / 3, -2.0 / 3, 0.1, 1e-30, 0.0, 0.75}) {
+        double mean = 0;
+        for (std::uint32_t random = 0; random < 256; ++random) {
+            const float rounded = round_at_random(exact, random);
+            mean += static_cast<double>(rounded) / 256;
+            EXPECT_LT(std::abs(static_cast<double>(rounded) - exact), std::abs(exact) * 0x1p-23 + 1e-300);
+        }
+        EXPECT_NEAR(mean, exact, std::abs(exact) * 0x1p-23 / 256);
+    }
+}
+
 }  // namespace
 }  // namespace corpuscle
