@@ -66,8 +66,8 @@ private:
         for (std::size_t i = 0; i < block_words; ++i) {
             const float cosine = 2 * unit_float(first[i]) - 1, sine = std::sqrt(1 - cosine * cosine);
             const Turn turn = fast_turn(unit_float(second[i]));
-            // Directions too short in the mean would cool the gas: a step of Newton's in double, rounded up or down at random, with the bits
-            // that are left of the words.
+            // Directions too short in the mean would cool the gas: a step of Newton's in double, rounded up or down at random, with the
+            // bits that are left of the words.
             const double x = sine * turn.cosine, y = sine * turn.sine, z = cosine;
             const double scale = 1.5 - 0.5 * (x * x + y * y + z * z);
             x_[i] = round_at_random(x * scale, first[i]);
