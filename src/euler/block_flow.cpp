@@ -5,6 +5,7 @@
 
 #include "euler/hllc.hpp"
 #include "euler/mixed_cells.hpp"
+#include "euler/relaxation.hpp"
 #include "euler/with_count.hpp"
 #include "parallel/loops.hpp"
 
@@ -12,6 +13,8 @@ namespace corpuscle {
 
 namespace {
 
+/// Materials with less than this share of a cell do not push others there.
+constexpr double least_relaxed = 1e-8;
 /// A face state with less than this share of the cell's pressure or density takes the cell's.
 constexpr double least_left = 0.1;
 /// A cell's change along an axis, limited: the mean of the changes to both neighbours, but no value at a face beyond the neighbour's
@@ -397,6 +400,15 @@ private:
                 sum[i] += inverse[i] * (in - out);
             });
         }
+        for (std::size_t m = 0; M > 1 && m < M; ++m) {
+            const double *flux = fluxes_.flux[C::part(m)].data(), *a = state(P::share(m)) + first;
+            const double *p = state(P::pressure) + first, *g = drift(P::pressure) + first;
+            double* sum = change(C::part(m)) + first;
+            for_simd(x.cells, [&](std::size_t i) {
+                const double push = a[i] * (p[i] + g[i]);
+                sum[i] += inverse[i] * (area[i] * (flux[i] + push * volume[i]) - area[i + 1] * (flux[i + 1] + push * volume[i + 1]));
+            });
+        }
         for (std::size_t m = 0; burning_ && m < M; ++m) {
             double* sum = unburnt_change(m) + first;
             const double* flux = unburnt_flux_[m].data();
@@ -418,6 +430,12 @@ private:
             const double *flux = fluxes_.flux[C::share(m)].data(), *a = state(P::share(m)) + first;
             double* sum = change(C::share(m)) + first;
             for_simd(count, [&](std::size_t i) { sum[i] += factor * (flux[i] - a[i] * volume[i]); });
+        }
+        for (std::size_t m = 0; M > 1 && m < M; ++m) {
+            const double *flux = fluxes_.flux[C::part(m)].data(), *a = state(P::share(m)) + first;
+            const double *p = state(P::pressure) + first, *g = drift(P::pressure) + first;
+            double* sum = change(C::part(m)) + first;
+            for_simd(count, [&](std::size_t i) { sum[i] += factor * (flux[i] + a[i] * (p[i] + g[i]) * volume[i]); });
         }
         for (std::size_t m = 0; burning_ && m < M; ++m) {
             double* sum = unburnt_change(m) + first;
@@ -507,28 +525,46 @@ private:
             }
         }
     }
-    /// Shares stay between 0 and 1. The last material in sight has a share of its own only if it is not the grid's last.
+    /// Shares after the step: between 0 and 1, and such that the gases of a mixed cell are in one pressure.
     void store_shares(std::size_t from, std::size_t to)
     {
-        for (std::size_t m = 0; M > 1 && m < M; ++m) {
-            const std::size_t material = tile_.materials[m];
-            if (material >= grid_.now.share.size()) continue;
-            double* next = grid_.next.share[material].data() + to;
-            const double *now = grid_.now.share[material].data() + to, *rate = change(C::share(m)) + from;
-            if (m + 1 == M) {  // the others' changes, taken off
-                for (std::size_t i = 0; i < tile_.axes[0].cells; ++i) {
-                    double rest = 0;
-                    for (std::size_t o = 0; o + 1 < M; ++o) rest += change(C::share(o))[from + i];
-                    next[i] = std::clamp(now[i] - length_ * rest, 0.0, 1.0);
-                }
-                continue;
-            }
-            for_simd(tile_.axes[0].cells, [&](std::size_t i) {
-                const double share = now[i] + length_ * rate[i];
-                const double positive = share > 0 ? share : 0.0;
-                next[i] = positive < 1 ? positive : 1.0;
+        if (M == 1) return;
+        EulerRows<M> share;
+        const std::size_t count = tile_.axes[0].cells;
+        std::fill_n(share[M - 1].data(), count, 1.0);
+        for (std::size_t m = 0; m + 1 < M; ++m) {
+            const double *now = state(P::share(m)) + from, *rate = change(C::share(m)) + from;
+            for_simd(count, [&](std::size_t i) {
+                const double next = now[i] + length_ * rate[i], positive = next > 0 ? next : 0.0;
+                share[m][i] = positive < 1 ? positive : 1.0;
+                share[M - 1][i] -= share[m][i];
             });
         }
+        for (std::size_t i = 0; i < count; ++i) {
+            for (std::size_t m = 0; m + 1 < M; ++m) {
+                if (share[m][i] > least_relaxed && share[M - 1][i] > least_relaxed)
+                    relax(share[m][i], share[M - 1][i], m, from + i, to + i);
+            }
+        }
+        for (std::size_t m = 0; m < M; ++m) {
+            if (tile_.materials[m] < grid_.now.share.size())
+                std::copy_n(share[m].data(), count, grid_.next.share[tile_.materials[m]].data() + to);
+        }
+    }
+    /// Brings material m and the last one in sight to one pressure in a cell.
+    void relax(double& share, double& rest, std::size_t m, std::size_t from, std::size_t to)
+    {
+        const PhasePart first = part_after(m, share, from, to), second = part_after(M - 1, rest, from, to);
+        if (!(first.mass > 0 && second.mass > 0)) return;
+        const double whole = share + rest;
+        share = relaxed_share(first, second);
+        rest = whole - share;
+    }
+    [[nodiscard]] PhasePart part_after(std::size_t m, double share, std::size_t from, std::size_t to)
+    {
+        const double before = state(P::share(m))[from], x = laws_[m].inverse_gamma(state(P::density(m))[from]);
+        const double energy = before * (x * state(P::pressure)[from] - state(P::cold(m))[from]);
+        return {&laws_[m], share, grid_.next.mass[tile_.materials[m]][to], energy + length_ * change(C::part(m))[from]};
     }
 
     EulerTile& tile_;

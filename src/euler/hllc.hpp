@@ -46,6 +46,8 @@ void find_fluxes(const std::array<MieGrueneisen, M>& laws, int d, std::size_t co
             const double own = from_left ? left[P::density(m)][i] : right[P::density(m)][i];
             out.flux[C::share(m)][i] = share * volume;
             out.flux[C::mass(m)][i] = share * own * volume;
+            const double own_cold = from_left ? left[P::cold(m)][i] : right[P::cold(m)][i];
+            if (M > 1) out.flux[C::part(m)][i] = share * (laws[m].inverse_gamma(own) * p - own_cold) * volume;
         }
         out.flux[C::motion(d)][i] = mass * speed + pressure;
         out.flux[C::motion(s)][i] = mass * us;

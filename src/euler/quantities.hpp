@@ -25,7 +25,8 @@ struct Conserved {
     static constexpr std::size_t motion(int d) { return M + static_cast<std::size_t>(d); }
     static constexpr std::size_t energy = M + 3;
     static constexpr std::size_t share(std::size_t m) { return M + 4 + m; }
-    static constexpr std::size_t count = 2 * M + 4;
+    static constexpr std::size_t part(std::size_t m) { return 2 * M + 4 + m; }  ///< internal energy of a material; not stored [J/m3]
+    static constexpr std::size_t count = 3 * M + 4;
 };
 
 }  // namespace corpuscle

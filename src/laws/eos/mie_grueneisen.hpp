@@ -37,6 +37,14 @@ struct MieGrueneisen {
         const double first = a * fast_exp(-near), second = b * fast_exp(-far);
         return {first * (1 - omega / near) + second * (1 - omega / far), first * (near - 1 - omega) + second * (far - 1 - omega)};
     }
+    /// The part of an isentrope's pressure that is the same on all of them, A exp(-R1 V) + B exp(-R2 V); the rest is in proportion to
+    /// (density/X)^gamma [Pa].
+    [[nodiscard]] double cold_isentrope(double density) const
+    {
+        if (!cold) return 0;
+        const double expansion = reference_density / density;
+        return omega * (a * fast_exp(-r1 * expansion) + b * fast_exp(-r2 * expansion));
+    }
     [[nodiscard]] double inverse_gamma(double density) const { return x0 + x1 * density; }
 
     /// Specific energy [J/kg] at a density [kg/m3] and a pressure [Pa].
