@@ -2,12 +2,15 @@
 
 #include <algorithm>
 
+#include "euler/relaxation.hpp"
 #include "parallel/loops.hpp"
 
 namespace corpuscle {
 
 namespace {
 
+/// Materials with less than this share of a cell are not pushed aside by what burns there.
+constexpr double least_pushed = 1e-8;
 /// Cells that the front of a detonation is spread over.
 constexpr double front_cells = 2.5;
 
@@ -29,7 +32,30 @@ double burnt_share(const EulerGrid& grid, const EulerExplosive& explosive, std::
     return std::clamp((time - burn_time(grid, explosive, cell)) / passing_time(grid, explosive, cell), 0.0, 1.0);
 }
 
-/// Burns one material; `booked` gets what was released.
+/// Gives heat to one material of a cell [J/m3]; where others are in the cell, it pushes them aside until all are in one pressure again.
+void heat(EulerGrid& grid, std::size_t material, std::size_t c, double energy)
+{
+    const double pressure = look(grid, c).pressure;
+    const auto part = [&](std::size_t m) {
+        const MieGrueneisen& law = grid.laws[m];
+        const double share = share_of(grid.now, m, c), mass = grid.now.mass[m][c], density = phase_density(law, mass, share);
+        const double cold = law.cold ? law.cold_terms(density).q : 0;
+        return PhasePart{&law, share, mass, share * (law.inverse_gamma(density) * pressure - cold)};
+    };
+    PhasePart own = part(material);
+    own.energy += energy;
+    grid.now.energy[c] += energy;
+    for (std::size_t m = 0; m < grid.materials.size(); ++m) {
+        const PhasePart other = part(m);
+        if (m == material || other.share < least_pushed || own.share < least_pushed || !(other.mass > 0)) continue;
+        const double share = relaxed_share(own, other), rest = own.share + other.share - share;
+        if (material < grid.now.share.size()) grid.now.share[material][c] = share;
+        if (m < grid.now.share.size()) grid.now.share[m][c] = rest;
+        own.share = share;
+    }
+}
+
+/// Burns one material.
 EulerAmount burn_material(EulerGrid& grid, std::size_t material, double time)
 {
     const EulerExplosive& explosive = grid.materials[material].explosive;
@@ -42,7 +68,7 @@ EulerAmount burn_material(EulerGrid& grid, std::size_t material, double time)
             const double burnt = waits[c] - std::max(0.0, left);
             if (burnt == 0) continue;
             waits[c] -= burnt;
-            grid.now.energy[c] += burnt * explosive.held_energy;
+            heat(grid, material, c, burnt * explosive.held_energy);
             released.mass[material] += burnt * grid.volume(c);
             released.energy += burnt * explosive.energy * grid.volume(c);
         }
