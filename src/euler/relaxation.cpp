@@ -1,0 +1,75 @@
+#include "euler/relaxation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace corpuscle {
+
+namespace {
+
+/// Pressures that differ by less than this share of both count as one.
+constexpr double same_pressure = 1e-9;
+/// How near to the root the boundary is moved, in the logarithm of the ratio of the two volumes.
+constexpr double near_enough = 1e-8;
+
+/// A gas that is squeezed or let out without heat, from a state on.
+class Squeezed {
+public:
+    explicit Squeezed(const PhasePart& part)
+        : law_(*part.law), mass_(part.mass), density_(std::clamp(part.mass / part.share, 1e-30, law_.largest_density))
+    {
+        const auto cold = law_.cold ? law_.cold_terms(density_) : MieGrueneisen::Cold{0, 0};
+        const double x = law_.inverse_gamma(density_);
+        pressure_ = (part.energy / part.mass * density_ + cold.q) / x;
+        stiffness_ = std::max((cold.z + law_.g * pressure_) / (x * pressure_), 1.0);
+        thermal_ = pressure_ - law_.cold_isentrope(density_);
+        free_ = x / density_;
+    }
+    [[nodiscard]] double start() const { return pressure_; }
+    /// d log p/d log density at the start.
+    [[nodiscard]] double stiffness() const { return stiffness_; }
+    /// Pressure when the gas has a share of the cell.
+    [[nodiscard]] double pressure(double share) const
+    {
+        const double density = std::min(mass_ / share, law_.largest_density), gamma = law_.g / (law_.g - 1);
+        return thermal_ * std::pow(free_ * density / law_.inverse_gamma(density), gamma) + law_.cold_isentrope(density);
+    }
+
+private:
+    const MieGrueneisen& law_;
+    double mass_, density_, pressure_ = 0, stiffness_ = 1, thermal_ = 0, free_ = 0;
+};
+
+/// Logarithm of the ratio of two pressures, of which one may be below nothing: a solid that is drawn.
+double imbalance(double p, double q)
+{
+    const double least = 1e-12 * (std::abs(p) + std::abs(q)) + 1e-300;
+    return std::log(std::max(p, least) / std::max(q, least));
+}
+
+}  // namespace
+
+double relaxed_share(const PhasePart& first, const PhasePart& second)
+{
+    const Squeezed a(first), b(second);
+    const double whole = first.share + second.share;
+    const auto first_share = [&](double x) { return x > 0 ? whole / (1 + std::exp(-x)) : whole * std::exp(x) / (1 + std::exp(x)); };
+    // In the logarithms of volumes and pressures both isentropes are nearly straight: Newton's rule first, then secants, kept within the
+    // bounds that the signs set.
+    double x = std::log(first.share / second.share), found = imbalance(a.start(), b.start()), low = -60, high = 60;
+    double slope = -(a.stiffness() * second.share + b.stiffness() * first.share) / whole;
+    double share = first.share;
+    for (int iteration = 0; iteration < 60 && std::abs(found) > same_pressure; ++iteration) {
+        (found > 0 ? low : high) = x;
+        const double next = x - found / slope, inside = next > low && next < high ? next : 0.5 * (low + high);
+        share = first_share(inside);
+        const double now = imbalance(a.pressure(share), b.pressure(whole - share)), secant = (now - found) / (inside - x);
+        const bool done = std::abs(inside - x) < near_enough;
+        if (secant < 0) slope = secant;
+        x = inside, found = now;
+        if (done) break;
+    }
+    return share;
+}
+
+}  // namespace corpuscle
