@@ -91,7 +91,7 @@ struct EulerBlock {
     bool quiet = false;           ///< all cells are in one state at rest, the state in which they were laid out
     bool active = false;          ///< computed: not quiet, or next to one that is not
     std::uint32_t materials = 0;  ///< bit m: material m is in a cell
-    double signal = 0;            ///< largest sum over the axes of (|u| + c)/width of a cell [1/s]
+    double signal = 0;            ///< largest sum over the axes of (|u| + c) area/volume, with the larger face, of a cell [1/s]
 };
 
 /// How the grid is computed.

@@ -51,7 +51,7 @@ MixedCellFinder::Shares MixedCellFinder::leaving_volumes(std::size_t c, const st
         const TileAxis& axis = tile.axes[d];
         if (!axis.live) continue;
         const double* u = velocity[d] + c;
-        const double crossing = length * axis.inverse_width[place_in(d, at)];
+        const double crossing = length * axis.larger_face[place_in(d, at)];
         out[2 * d] = std::clamp(-0.5 * (u[0] + *(u - axis.stride)) * crossing, 0.0, 1.0);
         out[2 * d + 1] = std::clamp(0.5 * (u[0] + u[axis.stride]) * crossing, 0.0, 1.0);
     }

@@ -40,7 +40,7 @@ double row_signal(const EulerTile& tile, const EulerGrid& grid, const std::array
         double sum = 0;
         for (int d = 0; d < 3; ++d) {
             const double u = found[P::velocity(d)][i], speed = u < 0 ? -u : u;
-            sum += (speed + sound) * tile.axes[d].inverse_width[tile.axes[d].halo + at[d] + (d == 0 ? i : 0)];
+            sum += (speed + sound) * tile.axes[d].larger_face[tile.axes[d].halo + at[d] + (d == 0 ? i : 0)];
         }
         signal[i] = sum;
     });

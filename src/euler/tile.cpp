@@ -1,5 +1,6 @@
 #include "euler/tile.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace corpuscle {
@@ -44,6 +45,8 @@ void lay_axis(TileAxis& own, const EulerAxis& axis, EulerEdge lower, EulerEdge u
             own.to_lower[n] = width_ratio(width(cell), width(cell - 1));
             own.to_upper[n] = width_ratio(width(cell), width(cell + 1));
         }
+        const double larger = std::max(axis.area[source.cell], axis.area[source.cell + 1]);
+        own.larger_face[n] = own.live ? larger / axis.volume[source.cell] : 0;
         own.curvature[n] = source.sign * (axis.area[source.cell + 1] - axis.area[source.cell]) / axis.volume[source.cell];
     }
     for (std::size_t n = 0; n <= own.cells; ++n) own.area[n] = axis.area[begin + n];

@@ -27,6 +27,7 @@ struct TileAxis {
     std::array<double, longest_row> to_lower{};        ///< width over the distance of middles to the cell before
     std::array<double, longest_row> to_upper{};        ///< and to the cell behind
     std::array<double, longest_row> inverse_width{};   ///< [1/m]
+    std::array<double, longest_row> larger_face{};     ///< area of the larger face over the volume: what a step may empty a cell by [1/m]
     std::array<double, longest_row> curvature{};       ///< (area behind - area before)/volume [1/m]
     std::array<double, longest_row> area{};            ///< of the lower faces of the block's own cells and of the last upper one
     std::array<double, longest_row> inverse_volume{};  ///< of the block's own cells

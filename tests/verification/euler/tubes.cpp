@@ -57,5 +57,24 @@ TEST(EulerTube, Sod_converges_at_first_order)
     expect_first_order("Sod", {IdealGas{1.4}, 1, 0, 1}, {IdealGas{1.4}, 0.125, 0, 0.1}, 0.2);
 }
 
+/// Products at the explosive's density, all burnt at once, against air: density ratio 1358, pressure ratio 8e4. In the first steps, when
+/// products and air fill a cell or two, the air is driven too hard: its shock starts some cells ahead of its place and keeps that lead,
+/// which is most of the error of velocity (the layer of air is a tenth of the flow). The mean errors of density (contacts smear, at order
+/// 1/2 at least) and of pressure (first order, 0.8 as above) are held to their orders, over four halvings.
+TEST(EulerTube, products_against_air_converge)
+{
+    const GasSide left{tnt_products, 1630, 0, tnt_products.pressure(1630, tnt_energy)}, right{IdealGas{1.4}, 1.2, 0, 101325};
+    const GeneralRiemannSolution exact(left, right);
+    constexpr double time = 4e-5;
+    Errors first{}, last{};
+    for (const std::size_t cells : {100u, 200u, 400u, 800u, 1600u}) {
+        last = tube(left, right, time, cells);
+        std::printf("TNT-air, %4zu cells: density %.2e, velocity %.2e, pressure %.2e\n", cells, last[0], last[1], last[2]);
+        if (cells == 100) first = last;
+    }
+    EXPECT_GT(std::log2(first[2] / last[2]) / 4, 0.8);
+    EXPECT_GT(std::log2(first[0] / last[0]) / 4, 0.5);
+}
+
 }  // namespace
 }  // namespace corpuscle
