@@ -11,6 +11,8 @@
 
 #include "base/error.hpp"
 #include "contact/gas_structure.hpp"
+#include "euler/fill.hpp"
+#include "euler/flow.hpp"
 #include "gas/collide.hpp"
 #include "gas/fill.hpp"
 #include "gas/fly.hpp"
@@ -60,6 +62,7 @@ public:
             }
         }
         if (wanted("shells")) measure_shells();
+        if (wanted("euler")) measure_euler();
         for (BenchLine& line : lines_) {
             line.ratio = line.nanoseconds / reference_;
             if (line.moved > 0) line.limit = line.nanoseconds / (line.moved * copy_per_byte_);
@@ -174,6 +177,33 @@ private:
         add("shells: whole step", seconds, static_cast<double>(structure.element_count()) * steps);
     }
 
+    /// Products and air in space: a ball of burnt TNT, in a corner of mirrors, that has grown to half of the box; every block is computed.
+    void measure_euler()
+    {
+        EulerSettings all;
+        all.skip_quiet = false;
+        std::array<EulerEdge, euler_face_count> edges;
+        edges.fill(EulerEdge::rigid);
+        const std::vector<double> faces = even_faces(0, 1, 64);
+        const Jwl products{371.2e9, 3.231e9, 4.15, 0.95, 0.3, 1630};
+        EulerGrid grid =
+            make_grid(EulerSpace::planar, {faces, faces, faces}, edges, {{"products", products, {}}, {"air", IdealGas{1.4}, {}}}, all);
+        fill(grid, {{Shape::box({{0, 0, 0}, {1, 1, 1}}), {1, 1.2, 101325}}, {Shape::sphere({0, 0, 0}, 0.5), {0, 1630, 0, {}, 7e9 / 1630}}});
+        Clock clock;
+        const auto advance = [&](int steps) {
+            for (int s = 0; s < steps; ++s) {
+                clock.begin_step(stable_step(grid));
+                flow(grid, clock);
+                clock.end_step();
+            }
+        };
+        advance(5);
+        const int steps = 4;
+        const double cells = static_cast<double>(grid.cells());
+        add("euler: whole step, products and air", median_seconds([&] { advance(steps); }), cells * steps, 2 * 7 * sizeof(double),
+            2 * 7 * sizeof(double));
+    }
+
     const BenchSettings& settings_;
     int threads_;
     double reference_ = 1;      ///< [ns]
@@ -185,7 +215,7 @@ private:
 
 const std::vector<std::string>& bench_names()
 {
-    static const std::vector<std::string> names{"reference", "gas", "sizes", "shells"};
+    static const std::vector<std::string> names{"reference", "gas", "sizes", "shells", "euler"};
     return names;
 }
 
@@ -193,7 +223,7 @@ std::vector<BenchLine> run_bench(const BenchSettings& settings)
 {
     const auto& names = bench_names();
     if (!settings.name.empty() && std::find(names.begin(), names.end(), settings.name) == names.end()) {
-        throw InputError("there is no benchmark '" + settings.name + "'", "expected one of: reference, gas, sizes, shells");
+        throw InputError("there is no benchmark '" + settings.name + "'", "expected one of: reference, gas, sizes, shells, euler");
     }
     const int threads_before = thread_count();
     std::vector<BenchLine> lines;

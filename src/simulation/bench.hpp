@@ -19,7 +19,7 @@ struct BenchLine {
 
 /// What to measure.
 struct BenchSettings {
-    std::string name;  ///< "gas", "sizes", "shells", "reference"; all but "sizes" if empty
+    std::string name;  ///< "gas", "sizes", "shells", "euler", "reference"; all but "sizes" if empty
     std::size_t particles = 1'000'000;
     int steps = 20;  ///< of the gas
     std::vector<int> threads{1, 2};
@@ -29,7 +29,8 @@ struct BenchSettings {
 [[nodiscard]] const std::vector<std::string>& bench_names();
 
 /// Times reference loops (triad; copies of 32-byte records in order, nearly in order, and at random), the gas step in a closed box of
-/// colliding gas with its phases, the same from 1e5 to 2e7 particles ("sizes"), and the shell step of the plate. Throws InputError for a
+/// colliding gas with its phases, the same from 1e5 to 2e7 particles ("sizes"), the shell step of the plate, and a step
+/// of products and air on the Eulerian grid. Throws InputError for a
 /// name that is none.
 [[nodiscard]] std::vector<BenchLine> run_bench(const BenchSettings& settings);
 
