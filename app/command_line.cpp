@@ -100,7 +100,8 @@ private:
         CLI::App* list = add("list", "List explosives, materials, gases or fields", list_command);
         list->add_option("kind", options_.subject, "explosives, materials, gases or fields")->required();
         CLI::App* bench = add("bench", "Time the step's loops beside reference loops", bench_command);
-        bench->add_option("name", options_.subject, "reference, gas, sizes (1e5 to 2e7 particles) or shells (default: all but sizes)");
+        bench->add_option("name", options_.subject,
+                          "reference, gas, sizes (1e5 to 2e7 particles), shells or euler (default: all but sizes)");
         bench->add_flag("--json", options_.json, "As JSON");
         bench->add_option("--out", options_.out, "A file for the JSON, besides the table");
         bench->add_option("--threads", options_.threads, "Threads (default: 1, then 2)")->check(CLI::Range(1, 4096));
