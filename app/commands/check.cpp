@@ -38,6 +38,28 @@ void print_gas(const GasPlan& plan)
     fmt::print("\n");
 }
 
+void print_grid(const EulerPlan& plan)
+{
+    TextTable table({"gas", "law", "density [kg/m3]", "pressure [Pa]", "mass [kg]"});
+    const std::size_t charges = plan.fills.size() - plan.charge_masses.size();
+    for (std::size_t f = 0; f < plan.fills.size(); ++f) {
+        const EulerSample& state = plan.fills[f].state;
+        const EulerMaterial& material = plan.materials[state.material];
+        const bool charge = f >= charges;
+        table.row({charge ? fmt::format("{} (charge {})", material.name, f - charges + 1) : material.name, law_name(material.law),
+                   fmt::format("{:.6g}", state.density), fmt::format("{:.6g}", state.pressure),
+                   charge ? fmt::format("{:.6g}", plan.charge_masses[f - charges]) : "-"});
+    }
+    fmt::print("{}", table.text());
+    std::string counts, widths;
+    for (std::size_t d = 0; d < 3; ++d) {
+        if (plan.faces[d].empty()) continue;
+        counts += fmt::format("{}{}", counts.empty() ? "" : " x ", plan.cells_along(d));
+        widths += fmt::format("{}{:.4g}", widths.empty() ? "" : " x ", 1e3 * (plan.faces[d][1] - plan.faces[d][0]));
+    }
+    fmt::print("{} cells: {}, each {} mm\n\n", plan.cells(), counts, widths);
+}
+
 double mass_of(const Structure& structure, const Part& part)
 {
     double mass = 0;
@@ -63,7 +85,8 @@ void print_structure(const CaseDescription& description, const Structure& struct
 double expected_seconds(const CaseSurvey& survey, double steps, int threads)
 {
     const double particles = survey.gas ? static_cast<double>(survey.gas->particles()) : 0;
-    const double work = 120e-9 * particles + 250e-9 * static_cast<double>(survey.structure.element_count());
+    const double cells = survey.euler ? static_cast<double>(survey.euler->cells()) : 0;
+    const double work = 120e-9 * particles + 250e-9 * static_cast<double>(survey.structure.element_count()) + 200e-9 * cells;
     return steps * (work / std::max(1, threads) + 20e-6);
 }
 
@@ -99,6 +122,7 @@ int check_command(const Options& options)
     const CaseSurvey survey = survey_case(description);
     fmt::print("{}\n\n", description.title.empty() ? description.file.string() : description.title);
     if (survey.gas) print_gas(*survey.gas);
+    if (survey.euler) print_grid(*survey.euler);
     if (!survey.structure.parts.empty()) print_structure(description, survey.structure);
     const double steps = expected_steps(survey, description.end_time);
     fmt::print("memory about {}, steps about {:.2g}, wall time about {} on {} threads\n", bytes_text(survey.memory), steps,

@@ -45,6 +45,8 @@ std::string pace_text(const RunSummary& summary)
                                    summary.wall_seconds, summary.threads);
     if (summary.particle_steps > 0)
         text += fmt::format(", {:.1f} ns a particle and step", 1e9 * summary.wall_seconds / static_cast<double>(summary.particle_steps));
+    if (summary.cell_steps > 0)
+        text += fmt::format(", {:.1f} ns a cell and step", 1e9 * summary.wall_seconds / static_cast<double>(summary.cell_steps));
     return text + fmt::format("; memory {:.0f} MB\n", static_cast<double>(summary.peak_memory) / 1e6);
 }
 

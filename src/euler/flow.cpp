@@ -128,7 +128,7 @@ std::vector<std::size_t> active_blocks(const EulerGrid& grid)
 std::vector<EulerTile> make_tiles(const EulerGrid& grid, std::size_t blocks)
 {
     constexpr std::size_t worth_a_thread = 2048;
-    const std::size_t cells = grid.cells() / grid.blocks.size() * blocks;
+    const std::size_t cells = grid.cells() / std::max<std::size_t>(1, grid.blocks.size()) * blocks;
     return std::vector<EulerTile>(std::min(blocks + 1, part_count(cells, worth_a_thread)));
 }
 

@@ -48,6 +48,7 @@ struct EulerMaterial {
     std::string name;
     EquationOfState law;
     EulerExplosive explosive;
+    double molar_mass = 0;  ///< 0: not known [kg/mol]
 };
 
 /// Mass of each material, momentum and energy [kg, kg m/s, J].

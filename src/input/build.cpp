@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "input/grid_gauges.hpp"
 #include "input/placed.hpp"
 
 namespace corpuscle {
@@ -121,7 +122,9 @@ std::unique_ptr<Model> build(const CaseDescription& description, CaseSurvey& sur
     for (const LoadInput& load : description.loads) add_load(*model, load);
     let_sleep_beside_structure(*model);
     for (const ProbeInput& probe : description.probes) model->probes.push_back(make_probe(probe, model->structure, survey.warnings));
-    for (const GaugeInput& gauge : description.gauges) model->gauges.push_back(make_gauge(gauge, *model));
+    if (survey.euler) model->euler = at_place(description.euler->places.own, [&] { return fill_grid(*survey.euler); });
+    for (const GaugeInput& gauge : description.gauges)
+        model->gauges.push_back(survey.euler ? make_grid_gauge(gauge, model->euler) : make_gauge(gauge, *model));
     return model;
 }
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "gas/hard_spheres.hpp"
+#include "input/charges.hpp"
 #include "input/gas_states.hpp"
 #include "input/placed.hpp"
 #include "input/shapes.hpp"
@@ -17,15 +18,11 @@ namespace corpuscle {
 
 namespace {
 
-const char* const face_names[face_count] = {"x-", "x+", "y-", "y+", "z-", "z+"};
-
 Domain make_domain(const GasInput& input)
 {
     for (int axis = 0; axis < 3; ++axis) {
         const auto& [low, high] = input.box[static_cast<std::size_t>(axis)];
-        if (!(low < high))
-            throw InputError(fmt::format("the gas box runs from {} m to {} m along {}", low, high, "xyz"[axis]),
-                             "expected the lower end first, and some length", input.places.of("box"));
+        check_ascends(low, high, std::string(1, "xyz"[axis]), input.places.of("box"));
     }
     const EdgesInput& e = input.edges;
     return {box_of(input.box), {e.x[0], e.x[1], e.y[0], e.y[1], e.z[0], e.z[1]}};
@@ -79,24 +76,6 @@ void add_fills(GasPlan& plan, const CaseDescription& description)
     }
 }
 
-/// Refuses a charge that is not in the box, or that an edge other than a rigid one cuts.
-void check_within(const Shape& shape, const Domain& domain, const ChargeInput& charge)
-{
-    const Place& place = charge.places.of(charge.center ? "center" : "shape");
-    const Box bounds = shape.bounds();
-    if (!(shape.volume_within(domain.box) > 1e-9 * shape.volume()))
-        throw InputError(fmt::format("the charge, around ({}, {}, {}) m, lies outside the gas box", bounds.center().x, bounds.center().y,
-                                     bounds.center().z),
-                         "expected it within the box of [gas]: move the charge or enlarge the box", place);
-    for (int face = 0; face < face_count; ++face) {
-        const int axis = face / 2;
-        const double out = face % 2 == 0 ? domain.box.lower[axis] - bounds.lower[axis] : bounds.upper[axis] - domain.box.upper[axis];
-        if (domain.edges[static_cast<std::size_t>(face)] != Edge::rigid && out > 1e-9 * bounds.size()[axis])
-            throw InputError(fmt::format("the charge sticks {:.4g} m out of the gas box at {}", out, face_names[face]),
-                             "expected it within the box, or that edge \"rigid\" if it is a plane of symmetry", place);
-    }
-}
-
 Charge make_charge(const ChargeInput& input, const Shape& shape, std::uint32_t species, std::size_t index)
 {
     const ExplosiveValues& values = *input.explosive.values;
@@ -120,7 +99,7 @@ void add_charges(GasPlan& plan, const CaseDescription& description, std::vector<
         const ChargeInput& input = description.charges[i];
         const ExplosiveValues& values = *input.explosive.values;
         const Shape shape = make_charge_shape(input, description);
-        check_within(shape, plan.gas.domain, input);
+        check_within(shape, plan.gas.domain, input, "[gas]");
         for (std::size_t j = 0; j < i; ++j)
             if (plan.charge_shapes[j].bounds().overlaps(shape.bounds()))
                 warnings.push_back(fmt::format("charges {} and {} may overlap: the later one takes the place", j + 1, i + 1));

@@ -35,18 +35,30 @@ void check_gauges(const CaseDescription& description, Problems& problems)
 {
     for (const GaugeInput& gauge : description.gauges) {
         if (gauge.facets) check_part(description, *gauge.facets, gauge.places.of("facets"), problems);
-        if (!gauge.facets && !description.gas)
+        if (!gauge.facets && !description.gas && !description.euler)
             problems.add(fmt::format("gauge '{}' measures gas, but there is none", gauge.name), "expected a [gas], or a gauge on facets",
                          gauge.places.own);
     }
 }
 
+/// The grid stands alone: no particles beside it, no structure in its flow.
+void check_grid_alone(const CaseDescription& description, Problems& problems)
+{
+    if (!description.euler) return;
+    if (description.gas)
+        problems.add("there are both [gas] and [euler]: the same gas would be there twice",
+                     "expected one of them: particles ([gas]) or a grid ([euler])", description.euler->places.own);
+    for (const PartInput& part : description.parts)
+        problems.add(fmt::format("part '{}' stands beside [euler], whose grid does not meet structures", part.name),
+                     "expected [gas] in place of [euler], or a rigid edge of the grid in place of the part", part.places.own);
+}
+
 void check_whole(const CaseDescription& description, Problems& problems)
 {
-    if (!description.gas && description.parts.empty())
-        problems.add("there is neither [gas] nor [[part]]: nothing to simulate",
+    if (!description.gas && !description.euler && description.parts.empty())
+        problems.add("there is neither [gas] nor [euler] nor [[part]]: nothing to simulate",
                      "expected one of them; `corpuscle new plate` writes a case to start from", description.places.own);
-    if (description.gas) return;
+    if (description.gas || description.euler) return;
     for (const ChargeInput& charge : description.charges)
         problems.add("there is a [[charge]] but no [gas] for its products", "expected a [gas] with box and particles", charge.places.own);
     for (const FillInput& fill : description.fills)
@@ -71,6 +83,7 @@ void check_names(const CaseDescription& description)
                          probe.places.of("quantities"));
     }
     check_gauges(description, problems);
+    check_grid_alone(description, problems);
     check_whole(description, problems);
     problems.raise();
 }

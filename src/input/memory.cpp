@@ -10,9 +10,11 @@ namespace corpuscle {
 namespace {
 
 // Resident a particle: 32 for itself, at most 64 with its sort, cells and pending flights, and as much again while a state is
-// saved or a picture written. A shell with five points, its nodes, facets and their tree.
+// saved or a picture written. A cell of two gases: twice 8 or 9 numbers of the state, the burn times while it is laid out, a picture. A
+// shell with five points, its nodes, facets and their tree.
 constexpr std::size_t bytes_a_particle = 128;
 constexpr std::size_t bytes_an_element = 2048;
+constexpr std::size_t bytes_a_cell = 256;
 constexpr std::size_t bytes_of_program = 64'000'000;
 
 }  // namespace
@@ -29,20 +31,24 @@ MachineMemory machine_memory()
     return memory;
 }
 
-std::size_t needed_memory(std::size_t particles, std::size_t elements)
+std::size_t needed_memory(const ModelSize& size)
 {
-    return bytes_of_program + bytes_a_particle * particles + bytes_an_element * elements;
+    return bytes_of_program + bytes_a_particle * size.particles + bytes_an_element * size.elements + bytes_a_cell * size.cells;
 }
 
-std::size_t check_memory(std::size_t particles, std::size_t elements, const Place& place, const MachineMemory& machine)
+std::size_t check_memory(const ModelSize& size, const Place& place, const MachineMemory& machine)
 {
-    const std::size_t needed = needed_memory(particles, elements);
+    const std::size_t needed = needed_memory(size);
     if (machine.total == 0 || needed <= machine.total) return needed;
-    const std::size_t fixed = needed_memory(0, elements);
-    const std::size_t room = machine.total > fixed ? (machine.total - fixed) / bytes_a_particle : 0;
-    throw InputError(fmt::format("{} particles and {} elements need about {}, this machine has {}", particles, elements, bytes_text(needed),
-                                 bytes_text(machine.total)),
-                     fmt::format("expected at most about {} particles here", room), place);
+    const std::size_t fixed = needed_memory({0, size.elements, 0});
+    const std::size_t room = machine.total > fixed ? machine.total - fixed : 0;
+    const bool grid = size.cells > 0;
+    throw InputError(fmt::format("{} and {} elements need about {}, this machine has {}",
+                                 grid ? fmt::format("{} cells", size.cells) : fmt::format("{} particles", size.particles), size.elements,
+                                 bytes_text(needed), bytes_text(machine.total)),
+                     grid ? fmt::format("expected at most about {} cells here", room / bytes_a_cell)
+                          : fmt::format("expected at most about {} particles here", room / bytes_a_particle),
+                     place);
 }
 
 std::string bytes_text(std::size_t bytes)

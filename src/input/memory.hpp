@@ -14,11 +14,18 @@ struct MachineMemory {
 };
 [[nodiscard]] MachineMemory machine_memory();
 
-/// Bytes a run will need: particles with their sort and files, elements with their nodes, the program itself.
-[[nodiscard]] std::size_t needed_memory(std::size_t particles, std::size_t elements);
+/// What a run's memory depends on.
+struct ModelSize {
+    std::size_t particles = 0;
+    std::size_t elements = 0;
+    std::size_t cells = 0;  ///< of a grid of gases
+};
 
-/// Refuses what needs more than the machine has, at the place of the particle count. Returns the bytes needed.
-std::size_t check_memory(std::size_t particles, std::size_t elements, const Place& place, const MachineMemory& machine);
+/// Bytes a run will need: particles with their sort and files, elements with their nodes, cells with the step to come, the program itself.
+[[nodiscard]] std::size_t needed_memory(const ModelSize& size);
+
+/// Refuses what needs more than the machine has, at the place of the count of particles or cells. Returns the bytes needed.
+std::size_t check_memory(const ModelSize& size, const Place& place, const MachineMemory& machine);
 
 /// "3.2 GB".
 [[nodiscard]] std::string bytes_text(std::size_t bytes);

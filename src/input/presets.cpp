@@ -150,6 +150,7 @@ void resolve_presets(CaseDescription& description, const std::vector<path>& fold
     Library<MaterialValues> materials(PresetKind::materials, folders, problems);
     for (ChargeInput& charge : description.charges) explosives.resolve(charge.explosive);
     if (description.gas && description.gas->fill) gases.resolve(*description.gas->fill);
+    if (description.euler && description.euler->fill) gases.resolve(*description.euler->fill);
     for (FillInput& fill : description.fills) gases.resolve(fill.gas);
     for (PartInput& part : description.parts)
         if (part.material) materials.resolve(*part.material);

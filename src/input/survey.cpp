@@ -16,8 +16,12 @@ namespace {
 /// Refuses what this machine cannot hold. Called before the meshes are made, and again when the elements are counted.
 std::size_t check_room(const CaseDescription& description, const CaseSurvey& survey)
 {
-    const Place& place = description.gas ? description.gas->places.of("particles") : description.places.own;
-    return check_memory(survey.gas ? survey.gas->particles() : 0, survey.structure.element_count(), place, machine_memory());
+    const Place& place = description.gas     ? description.gas->places.of("particles")
+                         : description.euler ? description.euler->places.of(description.euler->cell_size ? "cell_size" : "cells")
+                                             : description.places.own;
+    const ModelSize size{survey.gas ? survey.gas->particles() : 0, survey.structure.element_count(),
+                         survey.euler ? survey.euler->cells() : 0};
+    return check_memory(size, place, machine_memory());
 }
 
 void warn_of_room(CaseSurvey& survey)
@@ -47,7 +51,8 @@ void check_ensemble(const CaseDescription& description)
     if (description.ensemble == 1) return;
     const Place& place = description.places.of("ensemble");
     if (!description.gas)
-        throw InputError("an ensemble without gas would be the same run again and again", "expected [gas], or ensemble = 1", place);
+        throw InputError("an ensemble without gas of particles would be the same run again and again", "expected [gas], or ensemble = 1",
+                         place);
     constexpr std::uint64_t last = 9'000'000'000'000'000;  // as in the range of gas.seed
     if (description.gas->seed > last - static_cast<std::uint64_t>(description.ensemble))
         throw InputError("the ensemble runs out of seeds", "expected a smaller gas.seed", place);
@@ -80,6 +85,7 @@ CaseSurvey survey_case(const CaseDescription& description)
         check_products(description);
         survey.gas = plan_gas(description, survey.warnings);
     }
+    if (description.euler) survey.euler = plan_euler(description, survey.warnings);
     check_room(description, survey);
     survey.structure = build_structure(description, survey.warnings);
     survey.memory = check_room(description, survey);
@@ -101,6 +107,7 @@ double expected_steps(const CaseSurvey& survey, double end_time)
     for (int piece = 0; piece < pieces; ++piece) {
         const double time = end_time * (piece + 0.5) / pieces;
         double step = structure_step;
+        if (survey.euler) step = std::min(step, expected_grid_step(*survey.euler, time));
         for (const GasPace& pace : paces) step = std::min(step, pace.first_step * (1 + time / pace.growth_time));
         steps += end_time / pieces / std::min(step, end_time);
     }

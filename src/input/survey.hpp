@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "input/build_euler.hpp"
 #include "input/build_gas.hpp"
 #include "input/build_structure.hpp"
 #include "input/case/case_description.hpp"
@@ -14,6 +15,7 @@ namespace corpuscle {
 struct CaseSurvey {
     Structure structure;
     std::optional<GasPlan> gas;
+    std::optional<EulerPlan> euler;
     std::size_t memory = 0;  ///< bytes a run will need
     std::vector<std::string> warnings;
 };
@@ -21,7 +23,7 @@ struct CaseSurvey {
 /// Checks a case whose presets are resolved, and works it out. Errors: InputError or InputProblems.
 [[nodiscard]] CaseSurvey survey_case(const CaseDescription& description);
 
-/// Steps a run will take, about: the least stable step of the structure and the gas, the gas's growing as the cloud does.
+/// Steps a run will take, about: the least stable step of the structure and the gases, theirs growing as the cloud does.
 [[nodiscard]] double expected_steps(const CaseSurvey& survey, double end_time);
 
 }  // namespace corpuscle

@@ -1,5 +1,6 @@
 #include "model/model.hpp"
 
+#include "model/grid_books.hpp"
 #include "parallel/loops.hpp"
 #include "structure/energy.hpp"
 
@@ -35,6 +36,7 @@ Holding Model::held(double duration) const
     const GasContents inside = contents(gas);
     Holding total = inside.gas;
     total += inside.explosive;
+    total += corpuscle::held(euler);
     const StructureEnergy solid = energy(structure);
     total += {0, momentum(structure) + waiting_for_supports(structure.nodes),
               solid.kinetic + solid.internal + solid.hourglass + half_step_work(structure.nodes, duration)};

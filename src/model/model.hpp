@@ -6,6 +6,7 @@
 
 #include "contact/conwep_load.hpp"
 #include "contact/gas_structure.hpp"
+#include "euler/grid.hpp"
 #include "gas/gas.hpp"
 #include "model/ledger.hpp"
 #include "model/records.hpp"
@@ -26,6 +27,7 @@ public:
     double end_time = 0;    ///< [s]
 
     Gas gas;
+    EulerGrid euler;  ///< without cells, unless the case has gases on a grid
     Structure structure;
     GasStructureContact gas_structure;
     std::vector<std::unique_ptr<Contact>> loads;  ///< contacts with the world outside: ConWep, ...

@@ -46,9 +46,20 @@ struct RegionGauge {
     double volume = 0;  ///< of its part within the gas box [m3]
 };
 
+/// Pressure on a rigid face of the grid of gases.
+struct GridFaceGauge {
+    int face = 0;  ///< in the grid's axes
+};
+
+/// State of the gases on a grid in a region: its cells, each with the volume of its part within, the whole way round.
+struct GridRegionGauge {
+    std::vector<std::size_t> cells;
+    std::vector<double> volumes;  ///< [m3]
+};
+
 struct Gauge {
     std::string name;
-    std::variant<PartGauge, FaceGauge, RegionGauge> place;
+    std::variant<PartGauge, FaceGauge, RegionGauge, GridFaceGauge, GridRegionGauge> place;
     double every = 0;  ///< [s]
 };
 
@@ -58,7 +69,7 @@ struct OutputSettings {
     double history_every = 0;    ///< of the energies [s]
     double restart_every = 600;  ///< of wall clock [s]
     std::size_t particles_shown = 200'000;
-    int averages = 48;  ///< cells along the longest side of the grid of averages
+    int averages = 48;  ///< cells along the longest side of the grid of averages; 0: no grid is shown
     bool compress = false;
 };
 

@@ -94,6 +94,7 @@ void Gauges::add_to(OutputPlan& plan, const Clock& clock)
 {
     for (std::size_t index = 0; index < model_.gauges.size(); ++index) {
         const Gauge& gauge = model_.gauges[index];
+        if (std::holds_alternative<GridFaceGauge>(gauge.place) || std::holds_alternative<GridRegionGauge>(gauge.place)) continue;
         HistorySource source;
         source.every = gauge.every;
         add_columns(source, gauge.name, {{"pressure", "Pa"}, {"impulse", "Pa s"}});

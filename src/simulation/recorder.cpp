@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "gas/sample.hpp"
+#include "model/grid_books.hpp"
 #include "output/vtk/cells.hpp"
 #include "output/vtk/image.hpp"
 #include "output/vtk/points.hpp"
@@ -26,13 +27,14 @@ void add_vector_columns(HistorySource& source, const std::string& owner, const s
 
 }  // namespace
 
-Recorder::Recorder(Model& model) : model_(model), gauges_(model), resolution_(judge_resolution(model)) {}
+Recorder::Recorder(Model& model) : model_(model), gauges_(model), grid_gauges_(model), resolution_(judge_resolution(model)) {}
 
 OutputPlan Recorder::plan(const Clock& clock)
 {
     OutputPlan plan;
     for (const Probe& probe : model_.probes) add_probe(plan, probe);
     gauges_.add_to(plan, clock);
+    grid_gauges_.add_to(plan, clock);
     add_energies(plan);
     if (model_.output.fields_every > 0) add_files(plan);
     plan.end_time = model_.end_time;
@@ -67,9 +69,15 @@ void Recorder::add_energies(OutputPlan& plan) const
     source.columns.push_back({"ledger.energy_error", "1"});
     source.sample = [this](std::span<double> values) {
         const GasContents gas = contents(model_.gas);
+        const EulerContents cells = contents(model_.euler);
         const StructureEnergy solid = energy(model_.structure);
-        const std::array<double, 7> shown{gas.gas.energy,  gas.explosive.energy,        solid.kinetic, solid.internal, solid.plastic,
-                                          solid.hourglass, model_.ledger.error().energy};
+        const std::array<double, 7> shown{gas.gas.energy + cells.gas.energy,
+                                          gas.explosive.energy + cells.explosive.energy,
+                                          solid.kinetic,
+                                          solid.internal,
+                                          solid.plastic,
+                                          solid.hourglass,
+                                          model_.ledger.error().energy};
         std::copy(shown.begin(), shown.end(), values.begin());
     };
     plan.history.push_back(std::move(source));
@@ -102,6 +110,31 @@ void write_averages(const Gas& gas, int cells, const VtkOptions& options, const 
     write_image(path, cell_centers(counts, grid.box.lower, cell), fields(grid), options);
 }
 
+/// The cells of the gases on a grid as they are: a box of them, a half plane y = 0 of rings, a line of shells.
+void write_grid(const EulerGrid& grid, const VtkOptions& options, const std::filesystem::path& path)
+{
+    std::array<std::int64_t, 3> counts{};
+    Vector3d lowest, cell;
+    for (std::size_t d = 0; d < 3; ++d) {
+        const EulerAxis& axis = grid.axes[d];
+        counts[d] = static_cast<std::int64_t>(axis.cells());
+        lowest[static_cast<int>(d)] = axis.faces.front();
+        cell[static_cast<int>(d)] = axis.width(0);
+    }
+    if (grid.space == EulerSpace::axisymmetric) {  // its second axis is z, its third is none
+        std::swap(counts[1], counts[2]);
+        std::swap(lowest.y, lowest.z);
+        std::swap(cell.y, cell.z);
+    }
+    FieldSet set = cell_fields(grid);
+    for (Field& field : set.fields) {
+        if (field.name != "velocity") continue;
+        field = derived_field<Vector3f>(field.name, field.unit, field.meaning, field.count,
+                                        [&grid](std::size_t c) { return Vector3f(in_space(grid.space, look(grid, c).velocity)); });
+    }
+    write_image(path, cell_centers(counts, lowest, cell), set, options);
+}
+
 void write_structure(Structure& structure, const VtkOptions& options, const std::filesystem::path& path)
 {
     const std::vector<MeshElement> elements = cells(structure);
@@ -127,6 +160,10 @@ void Recorder::add_files(OutputPlan& plan) const
                                        write_averages(model_.gas, cells, options, path);
                                    }});
         }
+    }
+    if (model_.euler.cells() > 0 && settings.averages > 0) {
+        plan.fields.push_back(
+            {"cells", settings.fields_every, [this, options](const auto& path) { write_grid(model_.euler, options, path); }});
     }
     if (!model_.structure.parts.empty()) {
         plan.fields.push_back(

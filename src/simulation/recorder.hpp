@@ -5,6 +5,7 @@
 
 #include "model/model.hpp"
 #include "simulation/gauges.hpp"
+#include "simulation/grid_gauges.hpp"
 #include "simulation/outputs.hpp"
 #include "simulation/phases.hpp"
 #include "simulation/resolution.hpp"
@@ -21,7 +22,7 @@ public:
     [[nodiscard]] OutputPlan plan(const Clock& clock);
 
     /// Memory of the gauges, for a restart.
-    [[nodiscard]] FieldSet state() { return gauges_.state(); }
+    [[nodiscard]] std::vector<FieldSet> states() { return {gauges_.state(), grid_gauges_.state()}; }
 
     /// How fine the particles are, and the noise of the load by all its hits.
     [[nodiscard]] std::vector<Verdict> verdicts() const;
@@ -32,6 +33,7 @@ private:
     void add_files(OutputPlan& plan) const;
     Model& model_;
     Gauges gauges_;
+    GridGauges grid_gauges_;
     std::vector<Verdict> resolution_;  ///< of the model as it was built
 };
 

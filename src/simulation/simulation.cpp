@@ -6,13 +6,16 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "euler/flow.hpp"
 #include "gas/burn.hpp"
 #include "gas/collide.hpp"
 #include "gas/fly.hpp"
 #include "gas/sample.hpp"
 #include "gas/sleep.hpp"
 #include "gas/sort.hpp"
+#include "model/grid_books.hpp"
 #include "parallel/loops.hpp"
+#include "simulation/grid_culprit.hpp"
 #include "simulation/machine.hpp"
 #include "simulation/report.hpp"
 #include "simulation/summary_history.hpp"
@@ -76,6 +79,7 @@ void Simulation::begin()
     lay_to_sleep(model_->gas, model_->walls());
     sort(model_->gas);
     survey(model_->gas);
+    prepare(model_->euler);
     model_->ledger.open(model_->held(0));
     clock_.restore(model_->start_time, 0, 0, 0);
 }
@@ -91,6 +95,7 @@ void Simulation::step()
     phases_.time("follow", [&] { model.gas_structure.follow(); });
     phases_.time("collide", [&] { collide(model.gas, clock_, model.walls()); });
     phases_.time("fly", [&] { fly(model.gas, clock_, model.walls()); });
+    phases_.time("flow", [&] { flow(); });
     phases_.time("contact", [&] { model.ledger.add(model.gas_structure.apply(clock_)); });
     phases_.time("load", [&] {
         for (const auto& load : model.loads) model.ledger.add(load->apply(clock_));
@@ -104,23 +109,31 @@ void Simulation::step()
 }
 
 /// A step that every body allows. It is kept as long as it is neither too long nor much too short: central difference stays
-/// stable while its step is steady, but a step that wavers from one to the next can pump the structure's highest modes.
+/// stable while its step is steady, but a step that wavers from one to the next can pump the structure's highest modes. Gases on a grid
+/// take theirs as it is.
 double Simulation::next_step()
 {
     constexpr double margin = 0.95, slack = 1.25;
     const double gas = stable_step(model_->gas, clock_.time()), solid = stable_step(model_->structure);
+    const double cells = stable_step(model_->euler), left = model_->end_time - clock_.time();
     double allowed = std::min(gas, solid);
-    if (!std::isfinite(allowed)) allowed = model_->end_time / 1000;
+    if (!std::isfinite(allowed) && !std::isfinite(cells)) allowed = model_->end_time / 1000;
     if (steady_step_ > allowed || allowed > slack * steady_step_) steady_step_ = margin * allowed;
-    step_set_by_ = gas < solid ? "gas" : "structure";
-    const double left = model_->end_time - clock_.time();
-    return std::min(steady_step_, left);
+    step_set_by_ = cells <= steady_step_ ? "euler" : gas < solid ? "gas" : "structure";
+    return std::min({steady_step_, cells, left});
 }
 
 void Simulation::burn()
 {
     const Passage released = corpuscle::burn(model_->gas, clock_);
     if (released.mass > 0) model_->ledger.add(Transfer{"explosive", "gas", released.mass, released.momentum, released.energy});
+}
+
+/// Moves the gases on a grid, and enters what their explosive gave them.
+void Simulation::flow()
+{
+    const EulerAmount released = corpuscle::flow(model_->euler, clock_);
+    if (released.whole_mass() > 0) model_->ledger.add(given_by_burning(released));
 }
 
 /// Enters what passed the edges of the gas, closes the step's books and stops a run that is no longer sound.
@@ -135,6 +148,8 @@ void Simulation::close_books()
     const Passage turned = difference(model_->gas.sleeping.turned, entered_asleep_);
     model_->ledger.add(Transfer{"gas", "sleeping gas", turned.mass, turned.momentum, turned.energy});
     entered_asleep_ = model_->gas.sleeping.turned;
+    model_->ledger.add(given_to_edges(model_->euler, entered_by_cells_));
+    entered_by_cells_ = model_->euler.passages;
     model_->ledger.close_step(model_->held(clock_.duration()));
     check_soundness();
 }
@@ -143,21 +158,25 @@ void Simulation::check_soundness() const
 {
     const LedgerError& error = model_->ledger.error();
     const std::string when = fmt::format("at step {}, time {:.6g} s", clock_.step() + 1, clock_.end());
+    const bool grid = model_->euler.cells() > 0;
     const std::string remedy =
-        "the last good state is in restart/; try a smaller gas.cfl or a finer mesh, and look at the fields of the last dump";
+        fmt::format("the last good state is in restart/; try a smaller {}.cfl or a finer mesh, and look at the fields of the last dump",
+                    grid ? "euler" : "gas");
     if (!std::isfinite(error.mass + error.energy + error.momentum))
         throw SafetyStop("a value is no longer finite " + when + first_not_finite(), remedy);
     if (error.mass > mass_limit)
-        throw SafetyStop(fmt::format("a particle is lost {}: {:.3g} of the mass is missing", when, error.mass), remedy);
+        throw SafetyStop(fmt::format("{} lost {}: {:.3g} of the mass is missing{}{}", grid ? "gas is" : "a particle is", when, error.mass,
+                                     grid ? "; " : "", fastest_cell(model_->euler)),
+                         remedy);
     if (error.energy > energy_limit) {
-        const std::string culprit = fastest_element(model_->structure);
+        const std::string culprit = grid ? fastest_cell(model_->euler) : fastest_element(model_->structure);
         throw SafetyStop(
             fmt::format("energy is lost or made {}: {:.3g} of all energy{}{}", when, error.energy, culprit.empty() ? "" : "; ", culprit),
             remedy);
     }
 }
 
-/// Names the first particle or node with a value that is not finite.
+/// Names the first particle, node or cell with a value that is not finite.
 std::string Simulation::first_not_finite() const
 {
     const auto finite = [](const auto& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); };
@@ -173,7 +192,7 @@ std::string Simulation::first_not_finite() const
         const Vector3d& at = nodes.reference[n];
         return fmt::format(": node {} of the structure, meshed at ({:.4g}, {:.4g}, {:.4g}) m", n, at.x, at.y, at.z);
     }
-    return "";
+    return not_finite_cell(model_->euler);
 }
 
 Ending Simulation::run(const std::atomic<bool>& stop, const std::function<void(const Progress&)>& tell)
@@ -210,6 +229,7 @@ Progress Simulation::progress() const
     now.step_set_by = step_set_by_;
     now.energy_error = model_->ledger.error().energy;
     now.particles = model_->gas.particles.size();
+    now.cells = model_->euler.cells();
     now.wall_seconds = wall_seconds_since(started_);
     return now;
 }
@@ -222,8 +242,9 @@ void Simulation::log_step()
     if (clock_.step() > 3 && !crossed) return;
     const LedgerError& error = model_->ledger.error();
     outputs_->log().line(fmt::format(
-        "step {:7} time {:.6e} s  dt {:.3e} s ({})  particles {}  errors: mass {:.1e} momentum {:.1e} energy {:.1e}", clock_.step(),
-        clock_.time(), clock_.duration(), step_set_by_, model_->gas.particles.size(), error.mass, error.momentum, error.energy));
+        "step {:7} time {:.6e} s  dt {:.3e} s ({})  particles {}  active cells {}  errors: mass {:.1e} momentum {:.1e} energy {:.1e}",
+        clock_.step(), clock_.time(), clock_.duration(), step_set_by_, model_->gas.particles.size(), active_cells(model_->euler),
+        error.mass, error.momentum, error.energy));
 }
 
 RunSummary Simulation::summary() const
@@ -244,6 +265,8 @@ RunSummary Simulation::summary() const
     summary.elements = model.structure.element_count();
     summary.particle_steps = work_.particle_steps;
     summary.element_steps = work_.element_steps;
+    summary.cells = model.euler.cells();
+    summary.cell_steps = model.euler.worked;
     summary.seconds = phases_.seconds();
     summary.mass_error = model.ledger.error().mass;
     summary.momentum_error = model.ledger.error().momentum;
@@ -308,6 +331,7 @@ RestartContent Simulation::state()
     values["force_work"] = model_->structure.force_work;
     values["particle_steps"] = work_.particle_steps;
     values["element_steps"] = work_.element_steps;
+    values["cell_steps"] = model_->euler.worked;
     values["wall_seconds"] = wall_before_ + wall_seconds_since(started_);
     values["cpu_seconds"] = cpu_before_ + cpu_seconds();
     content.sets = sets();
@@ -316,13 +340,14 @@ RestartContent Simulation::state()
 
 std::vector<FieldSet> Simulation::sets()
 {
-    std::vector<FieldSet> sets{corpuscle::state(model_->gas), corpuscle::state(model_->structure), model_->gas_structure.state()};
+    std::vector<FieldSet> sets{corpuscle::state(model_->gas), corpuscle::state(model_->structure), model_->gas_structure.state(),
+                               corpuscle::state(model_->euler)};
     for (std::size_t i = 0; i < model_->loads.size(); ++i) {
         sets.push_back(model_->loads[i]->state());
         sets.back().name = fmt::format("load {}: {}", i + 1, model_->loads[i]->name());
     }
     sets.push_back(model_->ledger.state());
-    sets.push_back(recorder_.state());
+    for (FieldSet& set : recorder_.states()) sets.push_back(std::move(set));
     return sets;
 }
 
@@ -342,10 +367,13 @@ void Simulation::take_up()
     model_->gas.collisions = file.count("collisions");
     model_->structure.force_work = file.number("force_work");
     work_ = {file.count("particle_steps"), file.count("element_steps")};
+    prepare(model_->euler);
+    model_->euler.worked = file.count("cell_steps");
     wall_before_ = file.number("wall_seconds");
     cpu_before_ = file.number("cpu_seconds");
     entered_ = model_->gas.passages;
     entered_asleep_ = model_->gas.sleeping.turned;
+    entered_by_cells_ = model_->euler.passages;
     OutputPlan plan = recorder_.plan(clock_);
     plan.state = [this] { return state(); };
     outputs_ = std::make_unique<Outputs>(folder_, std::move(plan), clock_.time());

@@ -26,9 +26,10 @@ struct Progress {
     double end_time = 0;  ///< [s]
     std::uint64_t step = 0;
     double duration = 0;      ///< of the last step [s]
-    std::string step_set_by;  ///< "gas" or "structure"
+    std::string step_set_by;  ///< "gas", "structure" or "euler"
     double energy_error = 0;  ///< relative
     std::size_t particles = 0;
+    std::size_t cells = 0;    ///< of the grid
     double wall_seconds = 0;  ///< since the start or the resume
 };
 
@@ -70,6 +71,7 @@ private:
     void take_up();
     [[nodiscard]] double next_step();
     void burn();
+    void flow();
     void close_books();
     void check_soundness() const;
     [[nodiscard]] std::string first_not_finite() const;
@@ -86,9 +88,10 @@ private:
     Work work_;
     Recorder recorder_;
     std::unique_ptr<Outputs> outputs_;
-    FacePassages entered_;    ///< passages of the gas that are in the ledger
-    Passage entered_asleep_;  ///< what gas asleep was given, as it is in the ledger
-    double steady_step_ = 0;  ///< kept while it fits [s]
+    FacePassages entered_;              ///< passages of the gas that are in the ledger
+    EulerPassages entered_by_cells_{};  ///< those of the gases on a grid
+    Passage entered_asleep_;            ///< what gas asleep was given, as it is in the ledger
+    double steady_step_ = 0;            ///< kept while it fits [s]
     std::string step_set_by_ = "gas";
     std::map<std::string, std::uint64_t> particles_at_start_;  ///< by species
     double wall_before_ = 0;                                   ///< of the run before it was resumed [s]

@@ -15,6 +15,7 @@ const Table& table_of<CaseDescription>()
                  {"", from_to(1, 10'000),
                   "Runs, with seeds from gas.seed on; curves and results then are means with their 95 % confidence.", "8"})
             .row("gas", &CaseDescription::gas, {"", {}, "The gas of particles.", ""})
+            .row("euler", &CaseDescription::euler, {"", {}, "Gases on a grid, in place of particles.", ""})
             .row("charge", &CaseDescription::charges, {"", {}, "Charges of explosive.", ""})
             .row("fill", &CaseDescription::fills, {"", {}, "Gas in shapes.", ""})
             .row("part", &CaseDescription::parts, {"", {}, "Parts of the structure.", ""})

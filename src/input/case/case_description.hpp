@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "input/case/euler_input.hpp"
 #include "input/case/gas_input.hpp"
 #include "input/case/part_input.hpp"
 #include "input/case/record_input.hpp"
@@ -18,6 +19,7 @@ struct CaseDescription {
     int ensemble = 1;     ///< runs that differ by their seed
     std::vector<ChargeInput> charges;
     std::optional<GasInput> gas;
+    std::optional<EulerInput> euler;
     std::vector<FillInput> fills;
     std::vector<PartInput> parts;
     std::vector<LoadInput> loads;

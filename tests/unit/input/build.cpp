@@ -190,9 +190,9 @@ TEST(Build, ExpectedStepsFollowTheStructureWithoutGas)
 TEST(Memory, TooMuchIsRefusedAtItsPlace)
 {
     const MachineMemory machine{1'000'000'000, 500'000'000};
-    EXPECT_NO_THROW(static_cast<void>(check_memory(1'000'000, 1000, {}, machine)));
+    EXPECT_NO_THROW(static_cast<void>(check_memory({1'000'000, 1000, 0}, {}, machine)));
     try {
-        check_memory(100'000'000, 1000, {"case.toml", 3, 4}, machine);
+        check_memory({100'000'000, 1000, 0}, {"case.toml", 3, 4}, machine);
         FAIL() << "nothing was thrown";
     } catch (const InputError& error) {
         EXPECT_THAT(error.what(), HasSubstr("case.toml:3:4: 100000000 particles"));
