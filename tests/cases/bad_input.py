@@ -43,6 +43,13 @@ SPHERES = replaced("fill = \"air\"", "fill = \"air\"\ncollision = \"hard_spheres
 CROWDED = (SOURCE / "share/explosives/tnt_paper.toml").read_text().replace("co_volume = 0.3", "co_volume = 0.9")
 
 CHARGE = CASE[CASE.index("[[charge]]"):CASE.index("[gas]")]
+# The same charge in a grid of gases, without the plate.
+GRID = CASE[:CASE.index("[gas]")] + """[euler]
+box = [[0, 0.6], [0, 0.6], [0, 0.6]]
+edges = { x = ["rigid", "open"], y = ["rigid", "open"] }
+cell_size = "50 mm"
+fill = "air"
+"""
 
 # name, case, what standard error must match, further files, further words of the command line
 MISTAKES = [
@@ -109,6 +116,18 @@ MISTAKES = [
     ("wrong --set", CASE, r"--set charge\.0\.mas: unknown key 'mas' in 'charge'; did you mean 'mass'", {}, ["--set", "charge.0.mas=2 kg"]),
     ("--set out of range", CASE, r"--set end_time: end_time = -1 is out of range; expected a number > 0 s", {}, ["--set", "end_time=-1"]),
     ("--set without a value", CASE, r"--set end_time has no key and value; expected key=value", {}, ["--set", "end_time"]),
+    ("particles in a grid", GRID + "particles = 2_000\n", r"case\.toml:\d+:1: unknown key 'particles' in 'euler'; known: symmetry, box"),
+    ("a grid beside particles", CASE + GRID[GRID.index("[euler]"):], r"case\.toml:\d+:1: there are both \[gas\] and \[euler\].*; expected one of them"),
+    ("a part in a grid", GRID + CASE[CASE.index("[[part]]"):], r"case\.toml:\d+:1: part 'plate' stands beside \[euler\].*; expected \[gas\]"),
+    ("a grid's box without z", replaced("[[0, 0.6], [0, 0.6], [0, 0.6]]", "[[0, 0.6], [0, 0.6]]", GRID), r"case\.toml:11:7: the box of \[euler\] has 2 ranges, its symmetry leaves 3; expected \[\[x_min"),
+    ("a grid of too few cells", replaced("\"50 mm\"", "\"200 mm\"", GRID), r"case\.toml:13:13: 3 cells along x: too few.*; expected 4 or more"),
+    ("a grid of too many cells", replaced("\"50 mm\"", "\"0.2 mm\"", GRID), r"case\.toml:13:13: .* cells and 0 elements need about .*expected|more than 4e9 cells"),
+    ("cells and their size", replaced("cell_size", "cells = [9, 9, 9]\ncell_size", GRID), r"case\.toml:10:1: 'euler' has cell_size and cells at once; expected exactly one"),
+    ("a grid with an ensemble", "ensemble = 2\n" + GRID, r"case\.toml:1:12: an ensemble without gas of particles.*; expected \[gas\]"),
+    ("a charge off the axis", replaced("[[0, 0.6], [0, 0.6], [0, 0.6]]", "[[0, 0.6], [0, 0.6]]", replaced("box =", "symmetry = \"axisymmetric\"\nbox =", replaced(", y = [\"rigid\", \"open\"]", "", replaced("[0, 0, \"300 mm\"]", "[0.1, 0, 0.3]", GRID)))), r"case\.toml:8:10: the charge is not symmetric about the z axis.*; expected a sphere"),
+    ("an unknown symmetry", replaced("box =", "symmetry = \"round\"\nbox =", GRID), r"case\.toml:\d+:12: .*symmetry.*expected"),
+    ("a gauge on the grid's open face", GRID + "[[gauge]]\nname = \"g\"\nface = \"x+\"\nevery = \"1 us\"\n", r"case\.toml:\d+:8: gauge 'g' is on a face .* not rigid; expected"),
+    ("a grid with a hole", GRID.replace("fill = \"air\"\n", "") + "[[fill]]\ngas = \"air\"\nshape = { sphere = { center = [0, 0, 0.3], radius = 0.3 } }\ndensity = 1.2\npressure = 1e5\n", r"case\.toml:10:1: nothing fills the Euler grid near .*fill the whole grid"),
     ("unknown option", CASE, r"--fast", {}, ["--fast"]),
 ]
 

@@ -22,7 +22,6 @@ struct EulerInput {
     std::vector<std::uint64_t> cells;        ///< along each of these axes
     EdgesInput edges;
     std::optional<Preset<GasValues>> fill;
-    StartRule start = StartRule::detonation;
     double cfl = EulerSettings{}.cfl;
     bool sleep = EulerSettings{}.skip_quiet;
     Places places;
