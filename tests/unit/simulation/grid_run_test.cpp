@@ -8,9 +8,9 @@
 
 #include "base/error.hpp"
 #include "euler/fill.hpp"
-#include "unit/scratch_folder.hpp"
 #include "simulation/grid_gauges.hpp"
 #include "simulation/simulation.hpp"
+#include "unit/scratch_folder.hpp"
 
 namespace corpuscle {
 namespace {
