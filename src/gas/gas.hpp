@@ -24,6 +24,7 @@ struct GasSettings {
     std::uint64_t seed = 1;
     std::uint32_t cell_limit = 16;   ///< most particles in a collision cell
     std::uint32_t group_limit = 64;  ///< most particles in the group whose density gives the virial pressure
+    std::uint32_t partners = 1;      ///< drawn for each collision: the nearest of them is taken
     double mean_free_path = 1.0;     ///< in local particle spacings (V/n)^(1/3)
     double cross_section = 0;        ///< of every pair [m2]; 0: what gives that path. Fixed, the path goes as 1/n: hard spheres
     double relaxation = 2.0;         ///< collisions between two exchanges of translational and internal energy of a particle

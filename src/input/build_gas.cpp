@@ -283,6 +283,8 @@ GasPlan plan_gas(const CaseDescription& description, std::vector<std::string>& w
     GasPlan plan;
     plan.gas.settings.seed = input.seed;
     plan.gas.settings.mean_free_path = input.mean_free_path;
+    plan.gas.settings.cell_limit = input.cell_limit;
+    plan.gas.settings.partners = input.partners;
     plan.gas.settings.relaxation = input.relaxation;
     plan.gas.settings.cfl = input.cfl;
     plan.gas.settings.rule = input.collision;

@@ -7,8 +7,11 @@ from page import Chart, records, spread, table, write
 RADIAL_CELLS = [25, 50, 100]  # in a radius of the charge
 FARTHEST = 3
 GROUPS = [(0.2, 0.5), (0.7, 1), (1.5, 3)]  # scaled distances of one cube of air each
-COUNTS = [30_000, 240_000]  # particles of an octant
 LATE_START = "2e-5"  # s, after which the particles begin in the runs laid out from one dimension
+USUAL, SHARP = (1, 16, 0.4), (0.25, 8, 0.8)  # mean free path, most in a cell, cfl
+SETS = [  # particles of an octant, start [s], settings, what the column is called
+    (30_000, "0", USUAL, "30 000 particles"), (240_000, "0", USUAL, "240 000 particles"),
+    (1_000_000, "0", SHARP, "1 000 000, short path"), (1_000_000, LATE_START, SHARP, "1 000 000, short path, from one dimension at 0.02 ms")]
 FRONT_COUNTS = [30_000, 240_000]
 
 
@@ -30,13 +33,18 @@ def radial_runs(program, out, options):
     return found
 
 
-def particle_runs(program, out, count, start, options):
+def seen_runs(program, out, options):
+    """{distance: measures}: the flow in one dimension, read as the particles are."""
+    return {row["distance"]: row for row in records([program, "seen", RADIAL_CELLS[-1], FARTHEST], out / "seen.jsonl", options.dry)}
+
+
+def particle_runs(program, out, count, start, settings, options):
     """{distance: [measures for each seed]}."""
     found = {}
     for nearest, farthest in GROUPS:
         for seed in seeds_of(count, options):
-            kept = out / f"particles_{count}_{nearest}_{start}_{seed}.jsonl"
-            for row in records([program, "particles", count, seed, nearest, farthest, start], kept, options.dry):
+            words = [str(word) for word in (count, seed, nearest, farthest, start, *settings)]
+            for row in records([program, "particles", *words], out / f"particles_{'_'.join(words)}.jsonl", options.dry):
                 found.setdefault(row["distance"], []).append(row)
     return found
 
@@ -50,17 +58,23 @@ def limit(runs, key):
     return c + (c - b) * ratio / (1 - ratio) if 0 < ratio < 0.9 else c
 
 
-def measure_table(radial, particles, key, digits):
-    """One row a distance: each number of cells, the limit, the curves, then the particles."""
+def radial_table(radial, key, digits):
+    """Each number of cells, the limit, the curves."""
+    rows = [[f"{distance:g}", *[f"{run[key]:.{digits}f}" for run in runs], f"{limit(runs, key):.{digits}f}", f"{runs[0]['kb'][key]:.{digits}f}"]
+            for distance, runs in sorted(radial.items())]
+    return table(["Z [m/kg^(1/3)]", *[f"{cells} cells" for cells in RADIAL_CELLS[:len(next(iter(radial.values())))]], "limit", "Kingery-Bulmash"], rows)
+
+
+def measure_table(radial, seen, particles, key, digits):
+    """One row a distance: the limit, the same as the particles are read, the particles."""
     rows = []
     for distance, runs in sorted(radial.items()):
-        row = [f"{distance:g}"] + [f"{run[key]:.{digits}f}" for run in runs] + [f"**{limit(runs, key):.{digits}f}**", f"{runs[0]['kb'][key]:.{digits}f}"]
+        row = [f"{distance:g}", f"{limit(runs, key):.{digits}f}", f"**{seen[distance][key]:.{digits}f}**" if distance in seen else "-"]
         for found in particles.values():
             values = [run[key] for run in found.get(distance, []) if run["peak_kpa"] > 0]
             row.append(spread(values, digits) if values else "-")
         rows.append(row)
-    head = ["Z [m/kg^(1/3)]"] + [f"{cells} cells" for cells in RADIAL_CELLS[:len(next(iter(radial.values())))]] + ["limit", "Kingery-Bulmash"]
-    return table(head + list(particles), rows)
+    return table(["Z [m/kg^(1/3)]", "limit", "read in shells", *particles], rows)
 
 
 def figure(radial, particles):
@@ -99,19 +113,19 @@ def front_rows(program, out, options):
 def make(build, out, options):
     """Makes tables and figure."""
     program = build / "tests/validate_blast"
-    radial = radial_runs(program, out, options)
+    radial, seen = radial_runs(program, out, options), seen_runs(program, out, options)
     particles = {}
-    for count in (c for c in COUNTS if c <= options.most):
-        found = particle_runs(program, out, count, "0", options)
+    for count, start, settings, label in (each for each in SETS if each[0] <= options.most):
+        found = particle_runs(program, out, count, start, settings, options)
         if found:
-            particles[f"{spaced(count)} particles"] = found
-    found = particle_runs(program, out, COUNTS[0], LATE_START, options)
-    if found:
-        particles[f"{spaced(COUNTS[0])}, from one dimension at 0.02 ms"] = found
+            particles[label] = found
     if not radial:
         return
     head = ["15 kg, 0.2 ms, octant", "half of the rise [m]", "products meet air [m]", "momentum of products [N s]", "of air [N s]"]
-    parts = ["Peak overpressure [kPa], 1 kg:\n", measure_table(radial, particles, "peak_kpa", 1), "\nArrival of half the peak [ms], 1 kg:\n",
-             measure_table(radial, particles, "arrival_ms", 4), "\nImpulse of the positive phase [Pa s], 1 kg:\n",
-             measure_table(radial, particles, "impulse_pa_s", 1), "", figure(radial, particles), "", table(head, front_rows(program, out, options))]
+    parts = []
+    for title, key, digits in (("Peak overpressure [kPa]", "peak_kpa", 0), ("Arrival of half the peak [ms]", "arrival_ms", 4),
+                               ("Impulse of the positive phase [Pa s]", "impulse_pa_s", 1)):
+        parts += [f"{title}, 1 kg, in one dimension:\n", radial_table(radial, key, digits), "\nand by particles:\n",
+                  measure_table(radial, seen, particles, key, digits), ""]
+    parts += [figure(radial, particles), "", table(head, front_rows(program, out, options))]
     write("blast", "\n".join(parts))

@@ -74,6 +74,20 @@ def path_table(path):
     return table(["varied", "spacing [m]", "kappa", "mean free path [m]", *NAMES], rows)
 
 
+CELL_SIDE = 2.9 ** (1 / 3)  # of cells with at most 4 particles, in spacings: 2 to 4 in each, evenly in the logarithm
+
+
+def stream_table(runs):
+    """Errors of a shock alone, and their order in the mean free path with what the cells add to it."""
+    rows, before = [], None
+    for r in runs:
+        path = (r["kappa"] + 16 / (45 * math.pi) * CELL_SIDE ** 2 / r["kappa"]) / r["inverse_spacing"]
+        orders = [math.log(a / b) / math.log(before[0] / path) for a, b in zip(before[1], rest(r))] if before else []
+        rows.append([f"{r['kappa']:g}", f"{r['kappa'] / r['inverse_spacing']:.5f}", f"{path:.5f}", *[f"{e:.4f}" for e in rest(r)], short(orders, 2) if orders else ""])
+        before = path, rest(r)
+    return table(["kappa", "mean free path [m]", "with the cells' part [m]", *NAMES, "orders"], rows)
+
+
 def noise_table(noise):
     """Scatter between seeds."""
     rows = []
@@ -134,7 +148,7 @@ def blast_figure(lines):
 def make(build, out, options):
     """Makes the tables and figures."""
     program = build / "tests/validate_tubes"
-    lines = {what: records([program, what], out / f"{what}.jsonl", options.dry) for what in ["states", "path", "noise", "smear", "blast"]}
+    lines = {what: records([program, what], out / f"{what}.jsonl", options.dry) for what in ["states", "path", "stream", "noise", "smear", "blast"]}
     if not all(lines.values()):
         return
     states = [r for r in lines["states"] if r["kind"] == "states"]
@@ -142,6 +156,6 @@ def make(build, out, options):
     tubes = [star_table(states), error_table(states), *tube_figures(lines["states"])]
     write("tubes", "\n\n".join(["Star states at the finest spacing: measured over exact, less one, in per cent (one sigma).", tubes[0],
                                 "L1 errors less their noise at three spacings, with the order between the first and the last.", *tubes[1:]]))
-    write("tube orders", "\n\n".join([path_table(lines["path"]), noise_table(lines["noise"])]))
+    write("tube orders", "\n\n".join([path_table(lines["path"]), stream_table(lines["stream"]), noise_table(lines["noise"])]))
     write("smear", smear_table(lines["smear"]))
     write("point blast", "\n\n".join([front_table(blasts), blast_table(blasts), blast_figure(lines["blast"])]))

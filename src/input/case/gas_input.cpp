@@ -114,6 +114,10 @@ const Table& table_of<GasInput>()
             .row("mean_free_path", &GasInput::mean_free_path,
                  {"", from_to(0.05, 100),
                   "In local particle spacings, of a thin gas; a dense one, p_v near p_k, keeps at least one over 1 + p_v/p_k.", "1"})
+            .row("cell_limit", &GasInput::cell_limit,
+                 {"", from_to(4, 64), "Most particles in a cell, in which partners are drawn: smaller cells, sharper fronts.", "8"})
+            .row("partners", &GasInput::partners,
+                 {"", from_to(1, 8), "Drawn for each collision, of which the nearest is taken: more, sharper fronts.", "4"})
             .row(
                 "collision", &GasInput::collision,
                 {"",

@@ -55,6 +55,8 @@ struct GasInput {
     std::optional<Preset<GasValues>> fill;
     std::uint64_t seed = GasSettings{}.seed;
     double mean_free_path = GasSettings{}.mean_free_path;  ///< in local spacings
+    std::uint32_t cell_limit = GasSettings{}.cell_limit;
+    std::uint32_t partners = GasSettings{}.partners;
     CollisionRule collision = CollisionRule::displaced;
     double packing = 0.01;  ///< of gas without co-volume, as hard spheres
     StartRule start = StartRule::detonation;

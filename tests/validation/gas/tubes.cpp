@@ -12,6 +12,7 @@
 /// The particle gas against exact gas dynamics; one JSON object a line.
 ///     validate_tubes states           star states, errors at three spacings and profiles of every tube
 ///     validate_tubes path             Sod's tube: mean free path, spacing and their ratio varied apart
+///     validate_tubes stream           a stream into a wall: mean free path alone, in small cells
 ///     validate_tubes noise            Sod's tube: scatter between seeds as the number of particles grows
 ///     validate_tubes smear            errors and CPU time over mean free path, cell limit and time step
 ///     validate_tubes blast            Sedov's point blast
@@ -144,6 +145,12 @@ void path()
     }
 }
 
+void stream()
+{
+    for (const double kappa : {8.0, 4.0, 2.0, 1.0})
+        print(head("stream", Run(stream_tube(), 800, 600000, {.cell_limit = 4, .mean_free_path = kappa, .cfl = 0.8})) + "}");
+}
+
 /// Root mean square over bins and seeds of what differs from the mean over the seeds, beside the deviation that theory gives.
 void noise()
 {
@@ -269,6 +276,8 @@ int main(int argc, char** argv)
         states();
     else if (what == "path")
         path();
+    else if (what == "stream")
+        stream();
     else if (what == "noise")
         noise();
     else if (what == "smear")

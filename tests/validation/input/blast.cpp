@@ -1,26 +1,35 @@
 /// TNT in free air: what arrives where. One JSON object a line.
 ///
-///     validate_blast radial CELLS FARTHEST            1 kg in one dimension: arrival, first peak and impulse at the distances up to
-///     FARTHEST validate_blast particles N SEED NEAREST FARTHEST START    an octant of N particles, at the distances between; START: the
-///     time [s] its
-///                                                     particles are laid out at from the solution in one dimension, 0: lit as they are
-///     validate_blast front_radial CELLS SPEED         15 kg: the state at 0.1 and 0.2 ms; SPEED of detonation [m/s], 0: burnt at once
-///     validate_blast front_particles N SEED START GROUP    the same from an octant of N particles; GROUP: most in a group
+///     validate_blast radial CELLS FARTHEST
+///         1 kg in one dimension: arrival, first peak and impulse at the distances up to FARTHEST
+///     validate_blast seen CELLS FARTHEST
+///         the same, read as the particles are: in shells, averaged over as long
+///     validate_blast particles N SEED NEAREST FARTHEST START KAPPA CELL CFL
+///         an octant of N particles, at the distances between; START: the time [s] its particles are laid out at from the solution in one
+///         dimension, 0: lit as they are; mean free path, most in a cell, step
+///     validate_blast front_radial CELLS SPEED
+///         15 kg: the state at 0.1 and 0.2 ms; SPEED of detonation [m/s], 0: burnt at once
+///     validate_blast front_particles N SEED START GROUP
+///         the same from an octant of N particles; GROUP: most in a group
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <limits>
 #include <numbers>
 #include <string>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "gas/burn.hpp"
 #include "gas/collide.hpp"
 #include "gas/fill.hpp"
 #include "gas/fly.hpp"
 #include "gas/radial_fill.hpp"
+#include "gas/sleep.hpp"
 #include "gas/sort.hpp"
 #include "laws/blast/kingery_bulmash.hpp"
 #include "radial/charge.hpp"
@@ -77,10 +86,11 @@ void radial(double cells, double farthest)
 struct Octant {
     Gas gas;
     Clock clock;
+    double front = 0;  ///< of the flow that it was laid out from [m]
 
-    Octant(double mass, double side, std::size_t count, std::uint64_t seed, double start)
+    Octant(double mass, double side, std::size_t count, const GasSettings& settings, double start)
     {
-        gas.settings.seed = seed;
+        gas.settings = settings;
         gas.domain = {Box{{0, 0, 0}, {side, side, side}},
                       {Edge::rigid, Edge::ambient, Edge::rigid, Edge::ambient, Edge::rigid, Edge::ambient}};
         const RadialCharge charge = charge_of(mass, detonation_velocity);
@@ -97,6 +107,8 @@ struct Octant {
             fill(gas, {Shape::box(gas.domain.box), {ball}, 0, air_density, air_energy, {}, -1}, counts[0]);
             fill(gas, {ball, {}, 1, explosive_density, explosive_energy, {}, 0}, counts[1]);
         }
+        gas.sleeping.disturbances.push_back({{{0, 0, 0}, Vector3d(1, 1, 1) * std::max(front, charge.radius)}, 0});
+        lay_to_sleep(gas, FacetTree{Surface{}});
         sort(gas);
         survey(gas);
     }
@@ -124,6 +136,7 @@ struct Octant {
         fills[1].mass += added;
         fills[1].energy += added * air_energy;
         fills[0].species = 1;
+        front = edge;
         const auto count = static_cast<std::size_t>(inside);
         fill(gas, {Shape::box(gas.domain.box), {Shape::sphere({0, 0, 0}, outer)}, 0, air_density, air_energy, {}, -1}, counts[0] - count);
         fill_radial(gas, fills[1], count);
@@ -136,6 +149,7 @@ struct Octant {
         const FacetTree none{Surface{}};
         clock.begin_step(std::min(end - clock.time(), stable_step(gas, clock.time())));
         burn(gas, clock);
+        wake(gas, clock);
         sort(gas);
         collide(gas, clock, none);
         fly(gas, clock, none);
@@ -143,16 +157,27 @@ struct Octant {
     }
 };
 
-/// Sums over the particles between two radii.
+/// Sums over the gas between two radii.
 struct Shell {
-    double mass = 0, outward = 0, energy = 0, particles = 0;
+    double mass = 0, outward = 0, energy = 0;  ///< energy: m v^2 of all motion
+
+    [[nodiscard]] RadialSample sample(double time, double volume) const
+    {
+        const double bulk = mass > 0 ? outward * outward / mass : 0;
+        return {time, (energy - bulk) / (3 * volume), mass / volume, mass > 0 ? outward / mass : 0};
+    }
 };
+constexpr double half_width = 0.04;  ///< of a shell, in its radius
+
+double octant_between(double inner, double outer)
+{
+    return std::numbers::pi / 6 * (outer * outer * outer - inner * inner * inner);
+}
 
 /// Pressure in thin shells around the distances: of the particles' motion against that of the shell as a whole; the products are so thin
 /// there that they have no other.
 std::vector<RadialSample> shells(const Gas& gas, double time, const std::vector<double>& radii)
 {
-    constexpr double half_width = 0.04;
     std::vector<Shell> sums(radii.size());
     for (const Particle& p : gas.particles) {
         if (p.tag & particle_tag::gone) continue;
@@ -164,16 +189,11 @@ std::vector<RadialSample> shells(const Gas& gas, double time, const std::vector<
             sums[k].mass += mass;
             sums[k].outward += mass * outward;
             sums[k].energy += mass * norm_squared(velocity);
-            sums[k].particles += 1;
         }
     }
     std::vector<RadialSample> samples;
     for (std::size_t k = 0; k < radii.size(); ++k) {
-        const double inner = (1 - half_width) * radii[k], outer = (1 + half_width) * radii[k];
-        const double volume = std::numbers::pi / 6 * (outer * outer * outer - inner * inner * inner);
-        const Shell& own = sums[k];
-        const double bulk = own.mass > 0 ? own.outward * own.outward / own.mass : 0;
-        samples.push_back({time, (own.energy - bulk) / (3 * volume), own.mass / volume, own.mass > 0 ? own.outward / own.mass : 0});
+        samples.push_back(sums[k].sample(time, octant_between((1 - half_width) * radii[k], (1 + half_width) * radii[k])));
     }
     return samples;
 }
@@ -193,29 +213,89 @@ std::vector<RadialSample> smoothed(const std::vector<RadialSample>& samples, dou
     return means;
 }
 
-void particles(std::size_t count, std::uint64_t seed, double nearest, double farthest, double start)
+/// Records of shells around the distances in a range, taken now and then, and what is read off them.
+class ShellRecords {
+public:
+    ShellRecords(double nearest, double farthest) : every_(2e-6 * nearest / 0.2)
+    {
+        for (const double distance : distances)
+            if (distance >= nearest && distance <= farthest) radii_.push_back(distance);
+        records_.resize(radii_.size());
+    }
+
+    template <class Sample>
+    void take(double time, const Sample& sample)
+    {
+        if (time < due_) return;
+        due_ = time + every_;
+        const std::vector<RadialSample> now = sample(radii_);
+        for (std::size_t k = 0; k < radii_.size(); ++k) records_[k].push_back(now[k]);
+    }
+
+    void print(const std::string& head) const
+    {
+        for (std::size_t k = 0; k < radii_.size(); ++k) {
+            const double window = 0.03e-3 * std::pow(radii_[k], 1.5);
+            const double noise = 0.2 * kingery_bulmash(Burst::spherical, 1, radii_[k]).incident_pressure;
+            std::printf("{%s, ", head.c_str());
+            print_measures(radii_[k], measure_blast(smoothed(records_[k], window), air_pressure, noise));
+        }
+    }
+
+private:
+    double every_, due_ = 0;
+    std::vector<double> radii_;
+    std::vector<std::vector<RadialSample>> records_;
+};
+
+void particles(std::size_t count, double nearest, double farthest, double start, const GasSettings& settings)
 {
-    Octant octant(1, 1.35 * farthest, count, seed, start);
-    std::vector<double> radii;
-    for (const double distance : distances)
-        if (distance >= nearest && distance <= farthest) radii.push_back(distance);
-    std::vector<std::vector<RadialSample>> records(radii.size());
-    const double end = enough(farthest), every = 2e-6 * nearest / 0.2;
-    double due = 0;
+    Octant octant(1, 1.35 * farthest, count, settings, start);
+    ShellRecords records(nearest, farthest);
+    const double end = enough(farthest);
+    double work = 0;
     while (octant.clock.time() < end * (1 - 1e-12)) {
         octant.step(end);
-        if (octant.clock.time() < due) continue;
-        due = octant.clock.time() + every;
-        const std::vector<RadialSample> now = shells(octant.gas, octant.clock.time(), radii);
-        for (std::size_t k = 0; k < radii.size(); ++k) records[k].push_back(now[k]);
+        work += static_cast<double>(octant.gas.particles.size() - octant.gas.sleeping.particles);
+        records.take(octant.clock.time(), [&](const auto& radii) { return shells(octant.gas, octant.clock.time(), radii); });
     }
-    for (std::size_t k = 0; k < radii.size(); ++k) {
-        const double window = 0.03e-3 * std::pow(radii[k], 1.5);
-        std::printf("{\"kind\": \"particles\", \"particles\": %zu, \"seed\": %d, \"start_ms\": %g, \"steps\": %d, ", count,
-                    static_cast<int>(seed), 1e3 * start, static_cast<int>(octant.clock.step()));
-        const double noise = 0.2 * kingery_bulmash(Burst::spherical, 1, radii[k]).incident_pressure;
-        print_measures(radii[k], measure_blast(smoothed(records[k], window), air_pressure, noise));
+    const double steps = static_cast<double>(octant.clock.step());
+    const double awake = work / (steps * static_cast<double>(octant.gas.particles.size()));
+    const double cpu = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+    records.print(
+        fmt::format("\"kind\": \"particles\", \"particles\": {}, \"seed\": {}, \"start_ms\": {:g}, \"kappa\": {:g}, \"cell\": {}, "
+                    "\"cfl\": {:g}, \"steps\": {:.0f}, \"awake\": {:.3f}, \"cpu_s\": {:.1f}",
+                    count, settings.seed, 1e3 * start, settings.mean_free_path, settings.cell_limit, settings.cfl, steps, awake, cpu));
+}
+
+/// The flow's cells in the shells, each cell cut where a shell ends; motion of a cell is that of its middle.
+std::vector<RadialSample> shells(const RadialFlow& flow, double time, const std::vector<double>& radii)
+{
+    std::vector<RadialSample> samples;
+    for (const double radius : radii) {
+        const double inner = (1 - half_width) * radius, outer = (1 + half_width) * radius;
+        Shell sum;
+        for (std::size_t i = 0; i < flow.cells(); ++i) {
+            const double from = std::max(inner, flow.edges()[i]), to = std::min(outer, flow.edges()[i + 1]);
+            if (!(to > from)) continue;
+            const double volume = octant_between(from, to), mass = flow.densities()[i] * volume;
+            const double velocity = 0.5 * (flow.velocities()[i] + flow.velocities()[i + 1]);
+            sum.mass += mass;
+            sum.outward += mass * velocity;
+            sum.energy += mass * velocity * velocity + 3 * flow.pressures()[i] * volume;
+        }
+        samples.push_back(sum.sample(time, octant_between(inner, outer)));
     }
+    return samples;
+}
+
+void seen(double cells, double farthest)
+{
+    RadialFlow flow = lay_charge(charge_of(1, detonation_velocity), {cells, 30, 0.25}, 1.6 * farthest + 0.3);
+    ShellRecords records(distances.front(), farthest);
+    flow.run(enough(farthest),
+             [&](const RadialFlow& now) { records.take(now.time(), [&](const auto& radii) { return shells(now, now.time(), radii); }); });
+    records.print(fmt::format("\"kind\": \"seen\", \"cells\": {:g}", cells));
 }
 
 constexpr std::array<double, 2> front_times{1e-4, 2e-4};
@@ -280,8 +360,7 @@ void front_radial(double cells, double speed)
 
 void front_particles(std::size_t count, std::uint64_t seed, double start, std::uint32_t group)
 {
-    Octant octant(15, 1, count, seed, start);
-    octant.gas.settings.group_limit = group;
+    Octant octant(15, 1, count, {.seed = seed, .group_limit = group}, start);
     for (const double time : front_times) {
         if (time <= start) continue;
         while (octant.clock.time() < time * (1 - 1e-12)) octant.step(time);
@@ -311,13 +390,17 @@ int main(int count, char** words)
     if (what == "radial") {
         radial(number(2), number(3));
     } else if (what == "particles") {
-        particles(whole_number(2), whole_number(3), number(4), number(5), number(6));
+        const auto cell = static_cast<std::uint32_t>(number(8));
+        particles(whole_number(2), number(4), number(5), number(6),
+                  {.seed = whole_number(3), .cell_limit = cell, .mean_free_path = number(7), .cfl = number(9)});
+    } else if (what == "seen") {
+        seen(number(2), number(3));
     } else if (what == "front_radial") {
         front_radial(number(2), number(3));
     } else if (what == "front_particles") {
         front_particles(whole_number(2), whole_number(3), number(4), static_cast<std::uint32_t>(number(5)));
     } else {
-        std::fprintf(stderr, "expected: radial, particles, front_radial or front_particles, with their numbers\n");
+        std::fprintf(stderr, "expected: radial, seen, particles, front_radial or front_particles, with their numbers\n");
         return 2;
     }
     return 0;

@@ -13,7 +13,9 @@
 #include "gas/collide.hpp"
 #include "gas/fill.hpp"
 #include "gas/fly.hpp"
+#include "gas/sleep.hpp"
 #include "gas/sort.hpp"
+#include "math/random.hpp"
 #include "radial/flow.hpp"
 #include "radial/zoning.hpp"
 
@@ -86,36 +88,76 @@ void exact(std::size_t cells)
     record.print(cpu_seconds(), steps);
 }
 
-void particles(std::size_t count, double layers, double path, std::uint32_t cell_limit, double cfl, std::uint64_t seed)
+/// A run of particles, as the words of the command say.
+struct Wanted {
+    std::size_t count = 0;
+    double layers = 0;  ///< of particles across the products
+    GasSettings settings;
+    bool quiet = true, sleep = false;
+};
+
+/// Throws the particles of a part of the tube anew: places and velocities by chance alone.
+void disorder(Gas& gas, const Box& box, std::size_t begin, std::size_t end, Random& random)
 {
-    const std::vector<std::size_t> counts = share_particles({explosive_density * layer, air_density * (wall - layer)}, count);
-    const double spacing = layer / layers;
+    for (std::size_t i = begin; i < end; ++i) {
+        for (int a = 0; a < 3; ++a)
+            gas.particles[i].position[a] = static_cast<float>(box.lower[a] + box.size()[a] * random.uniform_double());
+        const auto other = begin + static_cast<std::size_t>(static_cast<double>(end - begin) * random.uniform_double());
+        std::swap(gas.particles[i].velocity, gas.particles[other].velocity);
+        gas.particles[i].velocity = static_cast<float>(random.uniform_double() < 0.5 ? -1 : 1) * gas.particles[i].velocity;
+    }
+}
+
+Gas tube_of(const Wanted& wanted)
+{
+    const std::vector<std::size_t> counts = share_particles({explosive_density * layer, air_density * (wall - layer)}, wanted.count);
+    const double spacing = layer / wanted.layers;
     const double section = static_cast<double>(counts[0]) * spacing * spacing * spacing / layer, width = std::sqrt(section);
     Gas gas;
-    gas.settings = {.seed = seed, .cell_limit = cell_limit, .mean_free_path = path, .cfl = cfl};
+    gas.settings = wanted.settings;
     gas.domain.box = {{0, 0, 0}, {wall, width, width}};
     const double volume = section * layer, rest = section * (wall - layer);
     gas.species.push_back({"products", products, explosive_density * volume / static_cast<double>(counts[0]), internal_freedoms(1.3)});
     gas.species.push_back({"air", IdealGas{1.4}, air_density * rest / static_cast<double>(counts[1]), internal_freedoms(1.4)});
-    fill(gas, {Shape::box({{0, 0, 0}, {layer, width, width}}), {}, 0, explosive_density, explosive_energy, {}, -1}, counts[0]);
-    fill(gas, {Shape::box({{layer, 0, 0}, {wall, width, width}}), {}, 1, air_density, air_energy, {}, -1}, counts[1]);
+    const Box hot{{0, 0, 0}, {layer, width, width}}, cold{{layer, 0, 0}, {wall, width, width}};
+    fill(gas, {Shape::box(hot), {}, 0, explosive_density, explosive_energy, {}, -1}, counts[0]);
+    fill(gas, {Shape::box(cold), {}, 1, air_density, air_energy, {}, -1}, counts[1]);
+    gas.ambient = {1, air_density, 0.4 * air_density * air_energy, 0.4 * air_energy};
+    if (wanted.sleep) gas.sleeping.disturbances.push_back({hot, 0});
+    if (!wanted.quiet) {
+        Random random(wanted.settings.seed, Purpose::fill, 1, 77);
+        disorder(gas, hot, 0, counts[0], random);
+        disorder(gas, cold, counts[0], gas.particles.size(), random);
+    }
+    return gas;
+}
+
+void particles(const Wanted& wanted)
+{
+    Gas gas = tube_of(wanted);
+    const FacetTree nothing{Surface{}};
+    lay_to_sleep(gas, nothing);
     sort(gas);
     survey(gas);
-    const FacetTree nothing{Surface{}};
-    const double started = cpu_seconds();
+    const double started = cpu_seconds(), section = gas.domain.box.size().y * gas.domain.box.size().z;
     Clock clock;
     WallRecord record;
     while (clock.time() < end_time) {
         const double before = clock.time(), impulse = gas.passages.face[1].momentum.x;
         clock.begin_step(std::min(stable_step(gas, before), 0.5 * interval));
+        wake(gas, clock);
         sort(gas);
         collide(gas, clock, nothing);
         fly(gas, clock, nothing);
         clock.end_step();
         record.add(before, clock.time(), (gas.passages.face[1].momentum.x - impulse) / section);
     }
-    std::printf("{\"kind\": \"particles\", \"particles\": %zu, \"layers\": %g, \"kappa\": %g, \"cell\": %u, \"cfl\": %g, \"seed\": %d, ",
-                count, layers, path, cell_limit, cfl, static_cast<int>(seed));
+    const GasSettings& s = wanted.settings;
+    std::printf(
+        "{\"kind\": \"particles\", \"particles\": %zu, \"layers\": %g, \"kappa\": %g, \"cell\": %u, \"cfl\": %g, \"partners\": %u, "
+        "\"quiet\": %s, \"sleep\": %s, \"seed\": %d, ",
+        wanted.count, wanted.layers, s.mean_free_path, s.cell_limit, s.cfl, s.partners, wanted.quiet ? "true" : "false",
+        wanted.sleep ? "true" : "false", static_cast<int>(s.seed));
     record.print(cpu_seconds() - started, static_cast<double>(clock.step()));
 }
 
@@ -127,11 +169,16 @@ int main(int count, char** words)
     const std::string what = count > 1 ? words[1] : "";
     if (what == "exact" && count == 3) {
         exact(static_cast<std::size_t>(number(2)));
-    } else if (what == "particles" && count == 8) {
-        particles(static_cast<std::size_t>(number(2)), number(3), number(4), static_cast<std::uint32_t>(number(5)), number(6),
-                  static_cast<std::uint64_t>(number(7)));
+    } else if (what == "particles" && count == 11) {
+        const GasSettings settings{.seed = static_cast<std::uint64_t>(number(10)),
+                                   .cell_limit = static_cast<std::uint32_t>(number(5)),
+                                   .partners = static_cast<std::uint32_t>(number(7)),
+                                   .mean_free_path = number(4),
+                                   .cfl = number(6)};
+        particles(
+            {static_cast<std::size_t>(number(2)), number(3), settings, std::string(words[8]) == "quiet", std::string(words[9]) == "sleep"});
     } else {
-        std::fprintf(stderr, "expected: exact CELLS, or particles N LAYERS KAPPA CELL CFL SEED\n");
+        std::fprintf(stderr, "expected: exact CELLS, or particles N LAYERS KAPPA CELL CFL PARTNERS quiet|random sleep|awake SEED\n");
         return 2;
     }
     return 0;

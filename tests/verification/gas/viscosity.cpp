@@ -22,12 +22,15 @@ TEST(Viscosity, is_that_of_hard_spheres_and_of_partners_at_a_distance)
     }
 }
 
-/// Smaller cells make a thinner gas: at half a spacing of mean free path most of the viscosity is the cells'.
-TEST(Viscosity, falls_with_smaller_cells)
+/// Smaller cells make a thinner gas, and so do nearer partners: at half a spacing of mean free path most of the viscosity is the cells'.
+TEST(Viscosity, falls_with_smaller_cells_and_nearer_partners)
 {
     const VortexFound large = decay({.mean_free_path = 0.5, .side = 40, .height = 60, .cell_limit = 16});
     const VortexFound small = decay({.mean_free_path = 0.5, .side = 40, .height = 60, .cell_limit = 4});
-    std::printf("cells of up to 16: %.3f, of up to 4: %.3f\n", large.viscosity, small.viscosity);
+    const VortexFound near = decay({.mean_free_path = 0.5, .side = 40, .height = 60, .cell_limit = 16, .partners = 4});
+    std::printf("cells of up to 16: %.3f, of up to 4: %.3f, nearest of 4 partners: %.3f\n", large.viscosity, small.viscosity,
+                near.viscosity);
+    EXPECT_LT(near.viscosity, large.viscosity - 4 * std::hypot(near.error, large.error));
     EXPECT_LT(small.viscosity, large.viscosity - 4 * std::hypot(small.error, large.error));
 }
 

@@ -28,10 +28,11 @@ double impulse(const Gas& gas)
 /// displaced particles are mirrored: the layer's share of all particles is 6 spacings of 31; (2) the density of a group of up to 64
 /// particles fluctuates; second order is taken off (laws/collision/virial.hpp), third order is not; (3) where more than one collision falls
 /// to a particle in a step, the survival of displacements is a mean. All three fall with the number of particles or the step.
-void expect_law(const EquationOfState& law, double expansion)
+void expect_law(const EquationOfState& law, double expansion, const GasSettings& settings = {})
 {
     const double density = reference_density / expansion, energy = reference_energy / reference_density;
     Gas gas = filled_box(unit_box, law, density, energy, count);
+    gas.settings = settings;
     const double total = contents(gas).gas.energy, expected = pressure(law, density, energy);
     Clock clock;
     for (int i = 0; i < warm_steps; ++i) advance(gas, clock);
@@ -73,6 +74,16 @@ TEST(WallPressure, jwl_dense)
 TEST(WallPressure, jwl_expanded)
 {
     for (const double expansion : {2.0, 3.0, 5.0, 10.0}) expect_law(Jwl{371.2e9, 3.231e9, 4.15, 0.95, 0.3, reference_density}, expansion);
+}
+
+/// Partners near each other, a short path and small cells, at the usual step: what sharpens fronts must not touch the pressure.
+TEST(WallPressure, with_near_partners)
+{
+    const GasSettings sharp{.cell_limit = 8, .partners = 4, .mean_free_path = 0.25};
+    expect_law(IdealGas{1.4}, 10, sharp);
+    expect_law(NobleAbel{1.3, 0.3, reference_density}, 1.5, sharp);
+    expect_law(Jwl{371.2e9, 3.231e9, 4.15, 0.95, 0.3, reference_density}, 1, sharp);
+    expect_law(Jwl{371.2e9, 3.231e9, 4.15, 0.95, 0.3, reference_density}, 3, sharp);
 }
 
 }  // namespace

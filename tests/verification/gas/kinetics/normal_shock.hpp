@@ -54,6 +54,7 @@ inline Gas stream(const NormalShock& set, double length, double speed)
     gas.species.push_back(species_of(IdealGas{5.0 / 3}, 1));
     gas.settings.cross_section = 1 / (std::numbers::sqrt2 * set.path);
     gas.settings.seed = set.seed;
+    gas.settings.cell_limit = 4;
     fill(gas, {Shape::box(gas.domain.box), {}, 0, 1, 1.5, {-speed, 0, 0}, -1}, static_cast<std::size_t>(gas.domain.box.volume()));
     return gas;
 }

@@ -18,6 +18,7 @@ struct VortexDecay {
     std::uint64_t seed = 1;
     std::uint32_t cell_limit = 16;
     double cfl = 0.4;
+    std::uint32_t partners = 1;
 };
 
 /// What the vortex shows. Speeds in sigma, the deviation of a velocity component; lengths in spacings.
@@ -62,6 +63,7 @@ inline Gas vortex(const VortexDecay& set)
     gas.settings.seed = set.seed;
     gas.settings.cell_limit = set.cell_limit;
     gas.settings.cfl = set.cfl;
+    gas.settings.partners = set.partners;
     const double k = std::numbers::pi / set.side, amplitude = set.mach * std::sqrt(set.gamma);
     for (Particle& p : gas.particles) {
         const double x = k * static_cast<double>(p.position.x), y = k * static_cast<double>(p.position.y);
