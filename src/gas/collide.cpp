@@ -90,11 +90,14 @@ struct CellState {
     float spacing = 0;           ///< (V/n)^(1/3) [m]
     float kinetic_pressure = 0;  ///< [Pa]
     float virial_pressure = 0;   ///< [Pa]
+    float even_virial = 0;       ///< the same if its species shared the kinetic energy by their numbers [Pa]
     float thermal_speed = 0;     ///< root mean square [m/s]
     float fastest_pair = 0;      ///< no pair is faster [m/s]
     float pair_energy = 0;       ///< mean of mu g^2, stretched, over pairs [J]
 
-    [[nodiscard]] float enskog() const { return kinetic_pressure > 0 ? 1 + virial_pressure / kinetic_pressure : 1; }
+    /// How much more often than in a thin gas its particles meet. From what collisions between species leave as it is: if the rate rose and
+    /// fell with one species' energy, there would be no detailed balance, and energy would gather where it collides least.
+    [[nodiscard]] float enskog() const { return kinetic_pressure > 0 ? 1 + even_virial / kinetic_pressure : 1; }
 };
 
 /// What a chunk of groups is worked on with.
@@ -318,9 +321,16 @@ private:
             if (own.count == 0) continue;
             const SpeciesView& view = species_[s];
             const float kinetic = bias * view.mass * own.velocity_squared / (3 * state.volume);
-            if (view.virial)
-                state.virial_pressure += std::visit(
-                    [&](const auto& law) { return mean_virial_pressure(law, work.density[s], kinetic, work.group_count[s]); }, *view.law);
+            if (view.virial) {
+                const auto virial = [&](float own_kinetic) {
+                    return std::visit(
+                        [&](const auto& law) { return mean_virial_pressure(law, work.density[s], own_kinetic, work.group_count[s]); },
+                        *view.law);
+                };
+                const float own_virial = virial(kinetic), share = own.count / state.particles;
+                state.virial_pressure += own_virial;
+                state.even_virial += share < 1 ? virial(share * state.kinetic_pressure) : own_virial;
+            }
             energy += 0.5f * view.mass * (own.count * own.velocity_squared - norm_squared(own.velocity)) * (1 + 2 * view.stretch);
             for (std::size_t t = 0; t < s; ++t) {
                 const SpeciesSums& other = sums[t];

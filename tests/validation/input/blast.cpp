@@ -253,14 +253,14 @@ void particles(std::size_t count, double nearest, double farthest, double start,
     Octant octant(1, 1.35 * farthest, count, settings, start);
     ShellRecords records(nearest, farthest);
     const double end = enough(farthest);
-    double work = 0;
+    double work = 0, all = 0;
     while (octant.clock.time() < end * (1 - 1e-12)) {
         octant.step(end);
         work += static_cast<double>(octant.gas.particles.size() - octant.gas.sleeping.particles);
+        all += static_cast<double>(octant.gas.particles.size());
         records.take(octant.clock.time(), [&](const auto& radii) { return shells(octant.gas, octant.clock.time(), radii); });
     }
-    const double steps = static_cast<double>(octant.clock.step());
-    const double awake = work / (steps * static_cast<double>(octant.gas.particles.size()));
+    const double steps = static_cast<double>(octant.clock.step()), awake = work / all;
     const double cpu = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
     records.print(
         fmt::format("\"kind\": \"particles\", \"particles\": {}, \"seed\": {}, \"start_ms\": {:g}, \"kappa\": {:g}, \"cell\": {}, "

@@ -42,6 +42,18 @@ TEST(Mixtures, share_pressure_and_energy_as_dalton_says)
     }
 }
 
+/// The same for an ideal and a dense gas with a short path in small cells and a long step: how often particles meet there depends on the
+/// density most, and must not depend on which gas has the energy.
+TEST(Mixtures, share_energy_with_a_short_path_too)
+{
+    Mixture set = mixture_of(0, 1, 1, 12000);
+    set.settings = {.cell_limit = 8, .partners = 4, .mean_free_path = 0.25, .cfl = 0.8};
+    const Mixed found = mix(set, 100, 10, 40);
+    std::printf("pressure %.4f, sigma %.4f; split %.4f, sigma %.4f\n", found.pressure, found.pressure_error, found.split, found.split_error);
+    EXPECT_NEAR(found.pressure, 1, 0.015 + 4 * found.pressure_error);
+    EXPECT_NEAR(found.split, 1, 4 * found.split_error + 1e-3);
+}
+
 /// Particles a hundred times lighter to a hundred times heavier keep energy and momentum. Rounding without a preferred sign leaves
 /// sqrt(C/N) 1e-7 of C collisions a particle; 3e-7 would be a bias of 3e-9 a collision, a twentieth of a float's last place. While the
 /// gases are not at one temperature, the rounded share of the pair's mass, wrong by up to 3e-8, moves the centre of mass's energy one way:

@@ -14,6 +14,7 @@ struct Mixture {
     std::array<double, 2> energy{1, 1};              ///< specific, at the start [J/kg]
     std::array<std::size_t, 2> count{10000, 10000};  ///< particles: with the densities they set the particle masses
     std::uint64_t seed = 1;
+    GasSettings settings;
 };
 
 /// What they share at equilibrium: every freedom of every particle has the same energy, and each gas the pressure of its own law at its
@@ -70,6 +71,7 @@ inline Gas mixture(const Mixture& set)
 {
     Gas gas;
     gas.domain.box = unit_box;
+    gas.settings = set.settings;
     gas.settings.seed = set.seed;
     for (int s = 0; s < 2; ++s) gas.species.push_back(species_of(set.law[s], set.density[s] / static_cast<double>(set.count[s])));
     for (std::uint32_t s = 0; s < 2; ++s) fill(gas, {Shape::box(unit_box), {}, s, set.density[s], set.energy[s], {}, -1}, set.count[s]);
