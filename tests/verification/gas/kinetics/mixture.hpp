@@ -14,7 +14,7 @@ struct Mixture {
     std::array<double, 2> energy{1, 1};              ///< specific, at the start [J/kg]
     std::array<std::size_t, 2> count{10000, 10000};  ///< particles: with the densities they set the particle masses
     std::uint64_t seed = 1;
-    GasSettings settings;
+    GasSettings settings = {};
 };
 
 /// What they share at equilibrium: every freedom of every particle has the same energy, and each gas the pressure of its own law at its
