@@ -73,8 +73,8 @@ void print_structure(const CaseDescription& description, const Structure& struct
     for (std::size_t i = 0; i < structure.parts.size(); ++i) {
         const Part& part = structure.parts[i];
         const MeshQuality quality = check(make_mesh(description.parts[i], description));
-        table.row({part.name, part.rigid() ? "rigid" : "shell", fmt::format("{}", part.element_count()), fmt::format("{}", part.node_count),
-                   part.rigid() ? "-" : fmt::format("{:.6g}", mass_of(structure, part)),
+        table.row({part.name, std::visit([](const auto& e) { return e.kind(); }, part.elements), fmt::format("{}", part.element_count()),
+                   fmt::format("{}", part.node_count), part.rigid() ? "-" : fmt::format("{:.6g}", mass_of(structure, part)),
                    fmt::format("{:.3g} to {:.3g}", 1e3 * quality.min_edge, 1e3 * quality.max_edge),
                    fmt::format("{:.2f}", quality.min_scaled_jacobian)});
     }

@@ -27,7 +27,7 @@ Vector3d middle(const Nodes& nodes, std::uint32_t node)
 double push(Nodes& nodes, std::uint32_t node, const Vector3d& impulse)
 {
     const Vector3d before = nodes.contact_velocity(node);
-    nodes.impulse[node] += impulse;
+    nodes.push(node, impulse);
     return 0.5 * dot(impulse, before + nodes.contact_velocity(node));
 }
 
@@ -40,13 +40,14 @@ ConwepLoad::ConwepLoad(Structure& structure, std::uint32_t part, const ConwepCha
 {
     try {
         for (std::uint32_t i = 0; i < structure.surface.facets.size(); ++i) {
-            if (structure.surface.facets[i].part == part) add_facet(i, charge);
+            if (structure.surface.facets[i].part == part && !structure.surface.is_hidden(i)) add_facet(i, charge);
         }
     } catch (const InputError& error) {
         throw InputError(fmt::format("ConWep load on part '{}': {}", part_name_, error.problem()), error.remedy());
     }
     if (facets_.empty())
-        throw InputError(fmt::format("ConWep load on part '{}': it shows no surface", part_name_), "name a part made of shells");
+        throw InputError(fmt::format("ConWep load on part '{}': it shows no surface", part_name_),
+                         "name a part made of shells or solids that faces the charge");
     specific_impulse_.assign(facets_.size(), 0.0);
     pressure_.assign(facets_.size(), 0.0);
     push_.resize(facets_.size());
@@ -61,6 +62,7 @@ void ConwepLoad::add_facet(std::uint32_t facet, const ConwepCharge& charge)
     const double distance = norm(ray);
     const BlastWave wave = kingery_bulmash(charge.burst, charge.mass, distance);
     const double cosine = dot(normalized(area_vector(at[node[0]], at[node[1]], at[node[2]])), ray) / distance;
+    if (structure_.surface.facets[facet].solid && cosine > 0) return;  // the far side of a solid
     facets_.push_back(facet);
     loads_.emplace_back(wave, std::abs(cosine));
     side_.push_back(cosine < 0 ? -1.0 : 1.0);
@@ -71,7 +73,7 @@ void ConwepLoad::find_pushes(const Clock& clock)
     const Nodes& nodes = structure_.nodes;
     const double start = clock.time() - detonation_time_, end = clock.end() - detonation_time_;
     for_each(facets_.size(), [&](std::size_t i) {
-        const double impulse = loads_[i].impulse(start, end);
+        const double impulse = structure_.surface.is_hidden(facets_[i]) ? 0.0 : loads_[i].impulse(start, end);
         const auto& node = structure_.surface.facets[facets_[i]].node;
         push_[i] = impulse * side_[i] * area_vector(middle(nodes, node[0]), middle(nodes, node[1]), middle(nodes, node[2]));
         specific_impulse_[i] += impulse;

@@ -27,7 +27,7 @@ GasStructureContact::GasStructureContact(Gas& gas, Structure& structure)
 
 void GasStructureContact::follow()
 {
-    tree_.follow(structure_.nodes.path());
+    tree_.follow(structure_.nodes.path(), structure_.surface.hidden);
 }
 
 /// Rounds until no flight is left: first every flight finds what it meets next, which needs geometry alone and any number of
@@ -94,10 +94,15 @@ double GasStructureContact::closing_velocity(const Flight& flight) const
 double GasStructureContact::effective_inverse_mass(const Flight& flight) const
 {
     const std::array<std::uint32_t, 3>& node = tree_.nodes(flight.hit.facet);
+    const Nodes& nodes = structure_.nodes;
+    if (const RigidBody* body = nodes.body_of(node[0])) {
+        Vector3d place;
+        for (int i = 0; i < 3; ++i) place += flight.hit.weight[i] * nodes.position[node[i]];
+        return body->inverse_mass_at(place, flight.hit.normal);
+    }
     const Vector3d squares = scaled(flight.hit.normal, flight.hit.normal);
     double inverse = 0;
-    for (int i = 0; i < 3; ++i)
-        inverse += flight.hit.weight[i] * flight.hit.weight[i] * dot(squares, structure_.nodes.inverse_mass[node[i]]);
+    for (int i = 0; i < 3; ++i) inverse += flight.hit.weight[i] * flight.hit.weight[i] * dot(squares, nodes.inverse_mass[node[i]]);
     return inverse;
 }
 
@@ -113,7 +118,7 @@ void GasStructureContact::bounce(Flight& flight, double closing, Transfer& given
     particle.velocity = Vector3f(after);
     const Vector3d impulse = mass * (before - after);
     const std::array<std::uint32_t, 3>& node = tree_.nodes(flight.hit.facet);
-    for (int i = 0; i < 3; ++i) structure_.nodes.impulse[node[i]] += flight.hit.weight[i] * impulse;
+    for (int i = 0; i < 3; ++i) structure_.nodes.push(node[i], flight.hit.weight[i] * impulse);
     facet_impulse_[flight.hit.facet] += impulse;
     facet_squares_[flight.hit.facet] += scaled(impulse, impulse + 2 * flight.given);
     flight.given += impulse;

@@ -132,18 +132,18 @@ std::array<Vector3d, 3> FacetTree::corners(std::int64_t facet, double fraction) 
     return p;
 }
 
-void FacetTree::follow(const NodePath& nodes)
+void FacetTree::follow(const NodePath& nodes, std::span<const std::uint8_t> hidden)
 {
     if (facets_.empty()) return;
-    take_corners(nodes);
+    take_corners(nodes, hidden);
     if (!built_ && built_start_.size() == 3 * facets_.size()) build();
     if (built_ && within_reach()) return;
     remember_corners();
     build();
 }
 
-/// Copies the corners of all facets and boxes them: what a test reads then lies together.
-void FacetTree::take_corners(const NodePath& nodes)
+/// Copies the corners of all facets and boxes them: what a test reads then lies together. No path comes into the box of a hidden one.
+void FacetTree::take_corners(const NodePath& nodes, std::span<const std::uint8_t> hidden)
 {
     corners_.resize(facets_.size());
     boxes_.resize(facets_.size());
@@ -152,7 +152,7 @@ void FacetTree::take_corners(const NodePath& nodes)
             corners_[f].start[i] = nodes.start[facets_[f][i]];
             corners_[f].end[i] = nodes.end[facets_[f][i]];
         }
-        boxes_[f] = box_about(corners_[f].start, corners_[f].end);
+        boxes_[f] = !hidden.empty() && hidden[f] ? Box{} : box_about(corners_[f].start, corners_[f].end);
     });
 }
 

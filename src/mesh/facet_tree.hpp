@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "fields/field.hpp"
@@ -29,7 +30,8 @@ public:
     explicit FacetTree(const Surface& surface);
 
     /// Makes the tree valid for a step in which the nodes move straight from start to end [m]; the spans must outlive the step.
-    void follow(const NodePath& nodes);
+    /// Facets marked in `hidden` (none if empty) are not met.
+    void follow(const NodePath& nodes, std::span<const std::uint8_t> hidden = {});
 
     /// Lower bound of the distance from a place to any facet at any moment of the step [m]: 0 if near, infinity without facets.
     [[nodiscard]] double clearance(const Vector3f& position) const
@@ -113,7 +115,7 @@ private:
     }
 
     [[nodiscard]] bool within_reach() const;
-    void take_corners(const NodePath& nodes);
+    void take_corners(const NodePath& nodes, std::span<const std::uint8_t> hidden);
     void remember_corners();
     void build();
     [[nodiscard]] std::vector<double> motions() const;

@@ -11,11 +11,13 @@ namespace {
 /// Impulses of this step into held directions, which the supports will answer in the next. [N s]
 Vector3d waiting_for_supports(const Nodes& nodes)
 {
-    return sum<Vector3d>(nodes.size(), [&](std::size_t i) {
-        Vector3d held;
-        for (int a = 0; a < 3; ++a) held[a] = nodes.inverse_mass[i][a] == 0 ? nodes.impulse[i][a] : 0.0;
-        return held;
-    });
+    Vector3d of_bodies;
+    for (const RigidBody& body : nodes.bodies) of_bodies += body.impulse - scaled(body.impulse, body.free);
+    return of_bodies + sum<Vector3d>(nodes.size(), [&](std::size_t i) {
+               Vector3d held;
+               for (int a = 0; a < 3; ++a) held[a] = nodes.inverse_mass[i][a] == 0 ? nodes.impulse[i][a] : 0.0;
+               return held;
+           });
 }
 
 /// Kinetic energy is known half a step before the strain energy: what the forces do in between. [J]
@@ -23,6 +25,7 @@ double half_step_work(const Nodes& nodes, double duration)
 {
     return sum<double>(nodes.size(), [&](std::size_t i) {
         const auto node = static_cast<std::uint32_t>(i);
+        if (!(nodes.mass[i] > 0)) return 0.0;
         return 0.5 * duration * (dot(nodes.force[i], nodes.contact_velocity(node)) + dot(nodes.moment[i], nodes.angular_velocity[i]));
     });
 }
@@ -38,7 +41,7 @@ Holding Model::held(double duration) const
     total += inside.explosive;
     total += corpuscle::held(euler);
     const StructureEnergy solid = energy(structure);
-    total += {0, momentum(structure) + waiting_for_supports(structure.nodes),
+    total += {-structure.eroded.mass, momentum(structure) + waiting_for_supports(structure.nodes),
               solid.kinetic + solid.internal + solid.hourglass + half_step_work(structure.nodes, duration)};
     return total;
 }

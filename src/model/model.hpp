@@ -40,7 +40,8 @@ public:
     /// Where the gas sees facets in this step.
     [[nodiscard]] const FacetTree& walls() const { return gas_structure.tree(); }
 
-    /// What all bodies hold after a step of this duration [s]; energy without what stepping in time has made or lost.
+    /// What all bodies hold after a step of this duration [s]; energy without what stepping in time has made or lost; of the structure's
+    /// mass what it has lost by erosion.
     [[nodiscard]] Holding held(double duration) const;
 };
 

@@ -20,8 +20,10 @@ Vector3d area_vector(const Structure& structure, const Facet& facet)
 double part_area(const Structure& structure, std::uint32_t part)
 {
     const std::vector<Facet>& facets = structure.surface.facets;
-    return sum<double>(facets.size(),
-                       [&](std::size_t f) { return facets[f].part == part ? norm(area_vector(structure, facets[f])) : 0.0; });
+    return sum<double>(facets.size(), [&](std::size_t f) {
+        const bool seen = facets[f].part == part && !structure.surface.is_hidden(f);
+        return seen ? norm(area_vector(structure, facets[f])) : 0.0;
+    });
 }
 
 double face_area(const Domain& domain, int face)

@@ -100,7 +100,7 @@ void Simulation::step()
     phases_.time("load", [&] {
         for (const auto& load : model.loads) model.ledger.add(load->apply(clock_));
     });
-    phases_.time("resist", [&] { resist(model.structure, clock_); });
+    phases_.time("resist", [&] { model.ledger.add(resist(model.structure, clock_)); });
     phases_.time("ledger", [&] { close_books(); });
     phases_.time("output", [&] { outputs_->write_due(clock_); });
     clock_.end_step();

@@ -13,6 +13,7 @@ namespace {
 /// Kinetic energy of a node; 0 for one without mass. [J]
 double kinetic_energy(const Nodes& nodes, std::size_t i)
 {
+    if (!(nodes.mass[i] > 0)) return 0.0;
     const Vector3d velocity = nodes.contact_velocity(static_cast<std::uint32_t>(i));
     return 0.5 * (nodes.mass[i] * norm_squared(velocity) + nodes.inertia[i] * norm_squared(nodes.angular_velocity[i]));
 }
@@ -34,7 +35,10 @@ ElementEnergy element_energy(const Part& part)
 StructureEnergy part_energy(const Structure& structure, const Part& part)
 {
     const ElementEnergy held = element_energy(part);
-    return {kinetic_energy(structure.nodes, part.first_node, part.node_count), held.internal, held.plastic, held.hourglass, 0.0};
+    double kinetic = kinetic_energy(structure.nodes, part.first_node, part.node_count);
+    if (part.node_count > 0)
+        if (const RigidBody* body = structure.nodes.body_of(part.first_node)) kinetic += body->kinetic_energy();
+    return {kinetic, held.internal, held.plastic, held.hourglass, 0.0};
 }
 
 StructureEnergy energy(const Structure& structure)
@@ -47,7 +51,7 @@ StructureEnergy energy(const Structure& structure)
         all.plastic += own.plastic;
         all.hourglass += own.hourglass;
     }
-    all.integration = -structure.force_work - all.internal - all.hourglass;
+    all.integration = -structure.force_work - all.internal - all.hourglass - structure.eroded.internal;
     return all;
 }
 
@@ -64,9 +68,12 @@ double max_plastic_strain(const Part& part)
 
 Vector3d momentum(const Structure& structure)
 {
-    return sum<Vector3d>(structure.nodes.size(), [&](std::size_t i) {
-        return structure.nodes.mass[i] * structure.nodes.contact_velocity(static_cast<std::uint32_t>(i));
+    Vector3d total = sum<Vector3d>(structure.nodes.size(), [&](std::size_t i) {
+        const double mass = structure.nodes.mass[i];
+        return mass > 0 ? mass * structure.nodes.contact_velocity(static_cast<std::uint32_t>(i)) : Vector3d{};
     });
+    for (const RigidBody& body : structure.nodes.bodies) total += body.momentum();
+    return total;
 }
 
 std::string fastest_element(const Structure& structure)

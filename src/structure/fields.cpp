@@ -1,6 +1,7 @@
 #include "structure/fields.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "base/error.hpp"
 #include "structure/energy.hpp"
@@ -85,11 +86,53 @@ Field node_state(const char* name, const char* unit, const char* meaning, std::v
     return field;
 }
 
+/// As `node_state`, of one number a node.
+Field node_state(const char* name, const char* unit, const char* meaning, std::vector<double>& values)
+{
+    Field field = stored_field(name, unit, meaning, values);
+    field.restore = [&values, take = field.restore](const void* in, std::size_t count) {
+        if (count != values.size())
+            throw InputError("the saved state has another number of nodes", "resume with the case it was saved from");
+        take(in, count);
+    };
+    return field;
+}
+
 Field scalar_state(const char* name, const char* unit, const char* meaning, double& value)
 {
     Field field{name, unit, meaning, Scalar::float64, 1, 1, {}, {}};
     field.gather = [&value](void* out) { *static_cast<double*>(out) = value; };
     field.restore = [&value](const void* in, std::size_t) { value = *static_cast<const double*>(in); };
+    return field;
+}
+
+/// How the rigid bodies stand and move, eight vectors each.
+Field body_field(std::vector<RigidBody>& bodies)
+{
+    constexpr std::size_t each = 8;
+    const auto vectors = [](RigidBody& b) {
+        return std::array<Vector3d*, each>{&b.center, &b.velocity, &b.spin_momentum, &b.impulse, &b.twist, &b.axis_x, &b.axis_y, &b.axis_z};
+    };
+    Field field{"rigid_bodies",
+                "1",
+                "center, velocity, angular momentum, what waits, and axes of each body",
+                Scalar::float64,
+                3,
+                each * bodies.size(),
+                {},
+                {}};
+    field.gather = [&bodies, vectors](void* out) {
+        Vector3d* to = static_cast<Vector3d*>(out);
+        for (RigidBody& body : bodies)
+            for (const Vector3d* v : vectors(body)) *to++ = *v;
+    };
+    field.restore = [&bodies, vectors](const void* in, std::size_t count) {
+        if (count != each * bodies.size())
+            throw InputError("the saved state has another number of rigid bodies", "resume with the case it was saved from");
+        const Vector3d* from = static_cast<const Vector3d*>(in);
+        for (RigidBody& body : bodies)
+            for (Vector3d* v : vectors(body)) *v = *from++;
+    };
     return field;
 }
 
@@ -117,10 +160,19 @@ FieldSet element_fields(Structure& structure)
                   value_field(s, "von_mises_middle", "Pa", "equivalent stress of the middle point", &V::von_mises_middle),
                   value_field(s, "von_mises_upper", "Pa", "equivalent stress of the uppermost point", &V::von_mises_upper),
                   value_field(s, "plastic_strain", "1", "largest equivalent plastic strain of the element's points", &V::plastic_strain),
-                  value_field(s, "thickness", "m", "present thickness", &V::thickness),
+                  value_field(s, "thickness", "m", "present thickness of shells", &V::thickness),
+                  value_field(s, "pressure", "Pa", "pressure, the mean of the element's points", &V::pressure),
+                  value_field(s, "damage", "1", "damage of the element, gone at 1", &V::damage),
+                  value_field(s, "heat", "K", "largest rise of temperature by plastic work", &V::heat),
                   energy_field(s, "internal_energy", "strain energy and plastic work of the element", &ElementEnergy::internal),
                   energy_field(s, "plastic_work", "plastic work of the element", &ElementEnergy::plastic),
                   energy_field(s, "hourglass_energy", "energy of hourglass control of the element", &ElementEnergy::hourglass)}};
+    constexpr std::uint8_t hidden_cell = 32;  // as VTK marks cells that are not drawn
+    set.fields.push_back(derived_field<std::uint8_t>(
+        "vtkGhostType", "1", "32 where the element has eroded: ParaView hides it", s.element_count(), [&s](std::size_t i) {
+            const auto left = [](const auto& elements, std::size_t e) { return elements.is_left(e); };
+            return at_element(s, i, left) ? std::uint8_t{0} : hidden_cell;
+        }));
     set.fields.push_back(derived_field<std::int32_t>("part", "1", "number of the part, from 0", s.element_count(), [&s](std::size_t i) {
         const auto after =
             std::upper_bound(s.parts.begin(), s.parts.end(), i, [](std::size_t n, const Part& part) { return n < part.first_element; });
@@ -138,6 +190,14 @@ FieldSet state(Structure& structure)
                   node_state("angular_velocity", "rad/s", "angular velocity", n.angular_velocity),
                   node_state("force", "N", "internal forces", n.force), node_state("moment", "N m", "internal moments", n.moment),
                   node_state("impulse", "N s", "impulses that wait", n.impulse), corner_field(structure),
+                  node_state("mass", "kg", "masses of nodes, less what has eroded", n.mass),
+                  node_state("inertia", "kg m2", "rotary inertia of nodes, less what has eroded", n.inertia),
+                  node_state("inverse_mass", "1/kg", "per direction, 0 where held", n.inverse_mass),
+                  node_state("inverse_inertia", "1/(kg m2)", "per direction, 0 where held", n.inverse_inertia), body_field(n.bodies),
+                  stored_field("hidden", "1", "facets that are not there", structure.surface.hidden),
+                  scalar_state("eroded_elements", "1", "elements eroded", structure.eroded.elements),
+                  scalar_state("eroded_mass", "kg", "mass that left with them", structure.eroded.mass),
+                  scalar_state("eroded_internal", "J", "energy that left with them", structure.eroded.internal),
                   scalar_state("force_work", "J", "what nodal forces have added to the kinetic energy", structure.force_work)}};
     for (Part& part : structure.parts) {
         std::vector<Field> own = std::visit([&](auto& elements) { return elements.state(part.name + "."); }, part.elements);

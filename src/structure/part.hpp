@@ -5,6 +5,7 @@
 
 #include "laws/strength/material.hpp"
 #include "structure/elements/elements.hpp"
+#include "structure/erosion.hpp"
 
 namespace corpuscle {
 
@@ -13,6 +14,8 @@ struct Part {
     std::string name;
     Material material;
     Elements elements;
+    Erosion erosion;
+    bool erodes = false;           ///< by a limit of its own or by its law's damage
     std::uint32_t first_node = 0;  ///< its nodes lie together
     std::uint32_t node_count = 0;
     std::uint32_t first_element = 0;  ///< its elements' numbers over all parts

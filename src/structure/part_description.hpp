@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,11 +10,14 @@
 #include "math/vector3.hpp"
 #include "mesh/mesh.hpp"
 #include "structure/elements/hourglass_control.hpp"
+#include "structure/elements/solids.hpp"
+#include "structure/erosion.hpp"
 
 namespace corpuscle {
 
-/// What a part is made of: deforming shells, or a rigid surface that must be fully held.
-enum class ElementKind { shell, rigid };
+/// What a part is made of: deforming shells, membranes (shells that do not bend), solids, or a rigid body: fully held, or
+/// with a mass and moving.
+enum class ElementKind { shell, membrane, solid, rigid };
 
 /// How points lie through a shell's thickness: Lobatto has points on both faces, Gauss is exact to higher order.
 enum class PointRule { gauss, lobatto };
@@ -39,6 +43,19 @@ struct Hold {
 /// Holds nodes on a plane of symmetry normal to `axis` (0, 1, 2): no way along the axis, no turning about the other two.
 [[nodiscard]] Hold symmetry(std::vector<std::uint32_t> nodes, int axis);
 
+/// Mass put on nodes besides that of the elements, in equal parts.
+struct PointMass {
+    std::vector<std::uint32_t> nodes;
+    double mass = 0;  ///< of all of them together [kg]
+};
+
+/// What a rigid part that moves weighs: its elements with the material's density (solids, or surfaces of a thickness), or given numbers.
+struct RigidMass {
+    std::optional<double> mass;       ///< [kg]
+    std::optional<Vector3d> inertia;  ///< about the center along x, y, z [kg m2]
+    std::optional<Vector3d> center;   ///< [m]
+};
+
 /// All there is to say about a part before it is built.
 struct PartDescription {
     std::string name;
@@ -51,7 +68,14 @@ struct PartDescription {
     PointRule rule = PointRule::gauss;
     double shear_factor = 5.0 / 6.0;  ///< of transverse shear [1]
     HourglassControl hourglass;
+    bool full_integration = false;  ///< of bricks: eight points instead of one and hourglass control
+    double brick_hourglass = 0.02;  ///< stiffness against a one-point brick's hourglass modes [1]
+    BulkViscosity viscosity;        ///< of solids
+    Erosion erosion;
     std::vector<Hold> holds;
+    std::vector<PointMass> point_masses;
+    RigidMass rigid;    ///< of a rigid part
+    Vector3d spin;      ///< angular velocity at the start, of a rigid part that moves [rad/s]
     Vector3d velocity;  ///< at the start, where not held [m/s]
     Place place;        ///< where the part was read, for messages
 };

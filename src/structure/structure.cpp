@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <span>
 
@@ -77,6 +78,35 @@ void gather_loads(Structure& structure)
         "step");
 }
 
+/// The first element that allows no step or whose energy is no longer a number, or their number.
+std::size_t first_unsound(const Part& part)
+{
+    return std::visit(
+        [](const auto& elements) {
+            std::size_t e = 0;
+            while (e < elements.size() && elements.transit(e) > 0 && std::isfinite(elements.energy(e).internal)) ++e;
+            return e;
+        },
+        part.elements);
+}
+
+/// Moves the rigid bodies and the nodes they carry; returns what their supports gave. [kg m/s]
+Vector3d move_bodies(Nodes& nodes, double duration)
+{
+    Vector3d support;
+    for (RigidBody& body : nodes.bodies) {
+        support += body.advance(duration);
+        const Vector3d spin = body.spin();
+        for_each(body.node_count, [&](std::size_t i) {
+            const std::size_t node = body.first_node + i;
+            nodes.position[node] = body.placed(nodes.reference[node]);
+            if (duration > 0) nodes.velocity[node] = (nodes.position[node] - nodes.previous[node]) / duration;
+            nodes.angular_velocity[node] = spin;
+        });
+    }
+    return support;
+}
+
 }  // namespace
 
 double stable_step(const Structure& structure)
@@ -88,20 +118,27 @@ double stable_step(const Structure& structure)
     return safety * least;
 }
 
-void resist(Structure& structure, const Clock& clock)
+std::vector<Transfer> resist(Structure& structure, const Clock& clock)
 {
-    if (structure.parts.empty() || !(clock.duration() > 0)) return;
+    if (structure.parts.empty() || !(clock.duration() > 0)) return {};
+    std::vector<Transfer> gone;
     for (Part& part : structure.parts) {
-        const std::size_t wrong = std::visit(
+        std::size_t wrong = std::visit(
             [&](auto& elements) {
                 const std::span<CornerLoad> loads(structure.corner_loads.data() + part.first_corner,
                                                   elements.size() * elements.corner_count());
                 return elements.resist(structure.nodes, clock.duration(), loads);
             },
             part.elements);
+        if (part.erodes) {
+            const Transfer left = erode(structure, part, clock);
+            if (left.mass > 0) gone.push_back(left);
+            wrong = first_unsound(part);
+        }
         if (wrong != part.element_count()) stop_at(structure, part, wrong, clock.end());
     }
     gather_loads(structure);
+    return gone;
 }
 
 std::vector<Transfer> accelerate(Structure& structure, const Clock& clock)
@@ -111,7 +148,8 @@ std::vector<Transfer> accelerate(Structure& structure, const Clock& clock)
     const NodeSums sums =
         sum<NodeSums>(structure.nodes.size(), [&](std::size_t i) { return move_node(structure.nodes, i, force_time, clock.duration()); });
     structure.force_work += sums.work;
-    return {Transfer{"support", "structure", 0.0, sums.support, 0.0}};
+    const Vector3d support = sums.support + move_bodies(structure.nodes, clock.duration());
+    return {Transfer{"support", "structure", 0.0, support, 0.0}};
 }
 
 }  // namespace corpuscle

@@ -22,6 +22,7 @@ struct Structure {
     std::vector<std::uint32_t> corner_begin;  ///< of each node, into `corners`; node count + 1
     std::vector<std::uint32_t> corners;       ///< the corner loads each node gathers
     double force_work = 0;                    ///< what nodal forces and moments have added to the kinetic energy [J]
+    Eroded eroded;
 
     [[nodiscard]] std::size_t element_count() const
     {
@@ -34,8 +35,9 @@ struct Structure {
 [[nodiscard]] double stable_step(const Structure& structure);
 
 /// Strain increments of the step just made (velocity * duration, seen from the middle of the step), new stresses, and nodal
-/// forces and moments at `position`. Throws SafetyStop naming the element and part that is no longer finite.
-void resist(Structure& structure, const Clock& clock);
+/// forces and moments at `position`; takes out elements beyond their part's limits. Returns what left with them ("structure" to
+/// "eroded"). Throws SafetyStop naming the element and part that is no longer finite.
+std::vector<Transfer> resist(Structure& structure, const Clock& clock);
 
 /// Central difference: velocity += (impulse + force * mean of this and the last duration) / mass, then position += velocity *
 /// duration; takes up the impulses. Returns what the supports gave ("support" to "structure").

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "laws/strength/plane_stress.hpp"
+#include "laws/strength/solid_stress.hpp"
 
 namespace corpuscle {
 
@@ -16,6 +17,14 @@ struct Elastic {
         const PlaneStress<Real> before = point.stress;
         point.stress = stiffness.stretched(before, strain);
         return {stiffness.thickness_strain(before, point.stress), 0.0};
+    }
+
+    /// The same for a solid's point.
+    template <class Real>
+    SolidResponse<Real> stretch(const SolidStiffness& stiffness, SolidPoint<Real>& point, const SolidStrain<Real>& strain, double) const
+    {
+        point.stress = stiffness.stretched(point.stress, strain);
+        return {};
     }
 };
 

@@ -64,6 +64,8 @@ struct PlanePoint {
     PlaneStress<Real> stress;       ///< [Pa]
     PlaneStress<Real> back_stress;  ///< centre of the yield surface, as a plane stress [Pa]; only with kinematic hardening
     Real plastic_strain = 0.0;      ///< equivalent plastic strain [1]
+    Real heat = 0.0;                ///< rise of temperature by plastic work [K]
+    Real damage = 0.0;              ///< share of the strain at failure used up [1]
 };
 
 /// What a strength law tells of a strain increment besides the new stress.

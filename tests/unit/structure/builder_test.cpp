@@ -51,8 +51,8 @@ TEST(Builder, RefusesNonsenseByPartAndElement)
     EXPECT_THAT(refusal([](D& d) { d.mesh.elements[3].node[2] = 77; }), HasSubstr("element 4"));
     EXPECT_THAT(refusal([](D& d) { d.mesh.nodes[4] = {0.3, 0.1, 0.0}; }), HasSubstr("element 2"));
     EXPECT_THAT(refusal([](D& d) { std::swap(d.mesh.elements[1].node[1], d.mesh.elements[1].node[2]); }), HasSubstr("element 2"));
-    EXPECT_THAT(refusal([](D& d) { d.mesh.elements[2].shape = ElementShape::triangle; }), HasSubstr("element 3"));
-    EXPECT_THAT(refusal([](D& d) { d.mesh.elements[2].shape = ElementShape::triangle; }), HasSubstr("is a triangle"));
+    EXPECT_THAT(refusal([](D& d) { d.element = ElementKind::solid; }), HasSubstr("is a surface element, and the part is solid"));
+    EXPECT_THAT(refusal([](D& d) { d.material.strength = Fabric{}; }), HasSubstr("is a fabric, which does not bend"));
     EXPECT_THAT(refusal([](D& d) { d.thickness = 0; }), HasSubstr("element 1"));
     EXPECT_THAT(refusal([](D& d) { d.thickness = 0; }), HasSubstr("no mass"));
     EXPECT_THAT(refusal([](D& d) { d.thicknesses = {0.01, 0.01, std::numeric_limits<double>::quiet_NaN(), 0.01}; }),
@@ -63,12 +63,17 @@ TEST(Builder, RefusesNonsenseByPartAndElement)
     EXPECT_THAT(refusal([](D& d) { d.material.density = 0; }), HasSubstr("density"));
     EXPECT_THAT(refusal([](D& d) { d.holds = {clamp({9})}; }), HasSubstr("held node 9 does not exist"));
     EXPECT_THAT(refusal([](D&) {}, 1), HasSubstr("already a part of this name"));
-    EXPECT_THAT(refusal([](D& d) { d.element = ElementKind::rigid; }), HasSubstr("rigid part that can move"));
+    EXPECT_THAT(refusal([](D& d) {
+                    d.element = ElementKind::rigid;
+                    d.thickness = 0;
+                }),
+                HasSubstr("a rigid part that can move has no mass"));
+    EXPECT_THAT(refusal([](D& d) { d.point_masses = {{{0, 1}, -1.0}}; }), HasSubstr("a point mass is -1 kg"));
     EXPECT_THAT(refusal([](D& d) {
                     d.element = ElementKind::rigid;
                     d.holds = {clamp({0, 1, 2, 3, 4, 5, 6, 7})};
                 }),
-                HasSubstr("is free"));
+                HasSubstr("has 8 of its 9 nodes held along x"));
 }
 
 TEST(Builder, MassesAddUpToThePart)

@@ -1,0 +1,298 @@
+#include "structure/elements/triangle_shells.hpp"
+
+#include <cmath>
+
+#include "parallel/loops.hpp"
+#include "structure/elements/solids.hpp"
+
+namespace corpuscle {
+
+namespace {
+
+/// What an element keeps besides its points, by slot.
+enum Slot : int {
+    slot_thickness = 0,       ///< [m]
+    slot_mass = 1,            ///< [kg]
+    slot_gyration = 2,        ///< rotary inertia over mass [m2]
+    slot_circulation = 3,     ///< elastic force against the shear round the edges [N]
+    slot_work = 4,            ///< done on the element by its corners [J]
+    slot_hourglass_work = 5,  ///< [J]
+    slot_plastic_work = 6,    ///< [J]
+    slot_edge = 7,            ///< as meshed: 1 over the first edge's length, then the third corner's place along it and 1 over its height
+    slot_loads = 10,          ///< forces on corners 2 and 3, moments on all, global axes
+    slot_points = 25,
+};
+
+using Vector = Vector3<Lanes>;
+
+int slots_of(const ShellInput<3>& input, const Material& material)
+{
+    return slot_points + static_cast<int>(input.points.size()) * slots_of_point(material.strength, plane_slots);
+}
+
+}  // namespace
+
+/// Axes of a triangle and its shape in them: edges e[0] from corner 1 to 2, e[1] from 2 to 3, e[2] from 3 to 1; gradients of the shape
+/// functions of its corners.
+struct TriangleShells::Frame {
+    Vector first, second, normal;
+    Lanes ex[3], ey[3];  ///< [m]
+    Lanes bx[3], by[3];  ///< [1/m]
+    Lanes area;          ///< [m2]
+
+    [[nodiscard]] Vector to_local(const Vector& v) const { return {dot(v, first), dot(v, second), dot(v, normal)}; }
+    [[nodiscard]] Vector to_global(const Vector& v) const { return first * v.x + second * v.y + normal * v.z; }
+
+    /// Share of an edge's shear that the shear at the middle takes: edges 1 and 3 less a third of what runs round.
+    struct Shear {
+        Lanes zx, yz, circulation;
+    };
+    /// Transverse shear of local motion and rotation of the corners.
+    [[nodiscard]] Shear shear_of(const Corners& move, const Corners& turn) const
+    {
+        Lanes g[3];
+        for (int k = 0; k < 3; ++k) {
+            const Vector &a = turn[k], &b = turn[(k + 1) % 3];
+            g[k] = move[(k + 1) % 3].z - move[k].z + 0.5 * ((a.y + b.y) * ex[k] - (a.x + b.x) * ey[k]);
+        }
+        const Lanes round = g[0] + g[1] + g[2], third = round * (1.0 / 3.0);
+        const Lanes along = g[0] - third, back = third - g[2];
+        return {bx[1] * along + bx[2] * back, by[1] * along + by[2] * back, round};
+    }
+    /// Sum of the squares of the middle's shear by each rotation. [1]
+    [[nodiscard]] Lanes turn_squares() const
+    {
+        Lanes sum = 0.0;
+        for (int corner = 0; corner < 3; ++corner) {
+            for (int axis = 0; axis < 2; ++axis) {
+                Corners still, turn;
+                for (Vector& v : still) v = {0.0, 0.0, 0.0};
+                turn = still;
+                turn[corner][axis] = 1.0;
+                const Shear s = shear_of(still, turn);
+                sum = sum + s.zx * s.zx + s.yz * s.yz;
+            }
+        }
+        return sum;
+    }
+    [[nodiscard]] GradientSum<Lanes> gradients() const
+    {
+        GradientSum<Lanes> g{0.0, 0.0, 0.0};
+        for (int i = 0; i < 3; ++i) {
+            g.xx = g.xx + bx[i] * bx[i];
+            g.yy = g.yy + by[i] * by[i];
+            g.xy = g.xy + bx[i] * by[i];
+        }
+        return g;
+    }
+    /// Squares of what the shear round the edges gets from each rotation. [m2]
+    [[nodiscard]] Lanes circulation_squares() const
+    {
+        Lanes sum = 0.0;
+        for (int k = 0; k < 3; ++k) {
+            const Lanes x = ex[k] + ex[(k + 2) % 3], y = ey[k] + ey[(k + 2) % 3];
+            sum = sum + 0.25 * (x * x + y * y);
+        }
+        return sum;
+    }
+};
+
+namespace {
+
+/// Square of the highest membrane frequency over 3 * plane modulus * area * thickness / mass. [1/m2]
+Lanes membrane_eigenvalue(const GradientSum<Lanes>& g, double poisson)
+{
+    const Lanes half = 0.5 * (g.xx + g.yy), gap = 0.5 * (g.xx - g.yy), spread = gap * gap + g.xy * g.xy;
+    return half + square_root(spread + poisson * poisson * (half * half - spread));
+}
+
+Lanes largest_gradient(const GradientSum<Lanes>& g)
+{
+    const Lanes gap = 0.5 * (g.xx - g.yy);
+    return 0.5 * (g.xx + g.yy) + square_root(gap * gap + g.xy * g.xy);
+}
+
+LaneCorners<3> halfway(const LaneCorners<3>& end, const LaneCorners<3>& move)
+{
+    return {end[0] - move[0] * Lanes(0.5), end[1] - move[1] * Lanes(0.5), end[2] - move[2] * Lanes(0.5)};
+}
+
+}  // namespace
+
+TriangleShells::TriangleShells(ShellInput<3> input, const Material& material, const Nodes& nodes)
+    : BlockElements({input.corners.size(), slots_of(input, material)}),
+      corners_(std::move(input.corners)),
+      section_(std::move(input.points), material, input.shear_factor, {slot_thickness, slot_plastic_work, slot_points}),
+      hourglass_(input.hourglass)
+{
+    fill_blocks(corners_);
+    fill_blocks(input.thickness);
+    for (std::size_t b = 0; b < blocks_.block_count(); ++b) {
+        double* own = blocks_.block(b);
+        const Corners place = gather(nodes.reference, &corners_[b * lane_count]);
+        const Vector edge = place[1] - place[0], other = place[2] - place[0], across = cross(edge, other);
+        const Lanes length = square_root(dot(edge, edge)), twice_area = square_root(dot(across, across));
+        store_slot(own, slot_edge, 1.0 / length);
+        store_slot(own, slot_edge + 1, dot(edge, other) / length);
+        store_slot(own, slot_edge + 2, length / twice_area);
+        const Lanes thickness = load_lanes(&input.thickness[b * lane_count]);
+        store_slot(own, slot_thickness, thickness);
+        const Frame f = frame_of(place, own);
+        store_slot(own, slot_mass, section_.density * f.area * thickness);
+        store_slot(own, slot_gyration, gyration(f, thickness));
+        blocks_.set_transit(b, allowed_step(f, own));
+    }
+    blocks_.review();
+}
+
+CornerMass TriangleShells::corner_mass(std::size_t element) const
+{
+    const double third = blocks_.slot(element, slot_mass) / 3.0;
+    return {third, third * blocks_.slot(element, slot_gyration)};
+}
+
+/// The axes: first edge and normal, turned in the plane so that the deformation since meshing is free of rotation in them.
+TriangleShells::Frame TriangleShells::frame_of(const Corners& place, const double* own) const
+{
+    Frame f;
+    const Vector edge = place[1] - place[0], other = place[2] - place[0], across = cross(edge, other);
+    const Lanes length = square_root(dot(edge, edge)), twice_area = square_root(dot(across, across));
+    f.normal = across * (1.0 / twice_area);
+    f.area = 0.5 * twice_area;
+    const Vector along = edge * (1.0 / length), aside = cross(f.normal, along);
+    const Lanes meshed = load_slot(own, slot_edge), shift = load_slot(own, slot_edge + 1), height = load_slot(own, slot_edge + 2);
+    const Lanes xx = length * meshed, yy = twice_area / length * height, xy = (dot(other, along) - xx * shift) * height;
+    const Lanes scale = 1.0 / square_root((xx + yy) * (xx + yy) + xy * xy), cosine = (xx + yy) * scale, sine = -xy * scale;
+    f.first = along * cosine + aside * sine;
+    f.second = cross(f.normal, f.first);
+    for (int k = 0; k < 3; ++k) {
+        const Vector e = place[(k + 1) % 3] - place[k];
+        f.ex[k] = dot(e, f.first);
+        f.ey[k] = dot(e, f.second);
+    }
+    const Lanes inverse = 1.0 / twice_area;
+    for (int i = 0; i < 3; ++i) {
+        f.bx[i] = -f.ey[(i + 1) % 3] * inverse;
+        f.by[i] = f.ex[(i + 1) % 3] * inverse;
+    }
+    return f;
+}
+
+std::size_t TriangleShells::resist(const Nodes& nodes, double duration, std::span<CornerLoad> loads)
+{
+    std::visit(
+        [&]<class Law>(const Law& law) {
+            if constexpr (for_shells<Law>())
+                for_each_dynamic(blocks_.block_count(), 32, [&](std::size_t b) { resist_block(law, nodes, duration, b, loads); });
+        },
+        section_.strength);
+    return blocks_.review();
+}
+
+/// The step of one block: motion to strain in the axes of the middle of the step, strain to stress, stress to loads in the axes of its end.
+template <class Law>
+void TriangleShells::resist_block(const Law& law, const Nodes& nodes, double duration, std::size_t b, std::span<CornerLoad> loads)
+{
+    if (blocks_.gone(b)) return;
+    const auto* corners = &corners_[b * lane_count];
+    double* own = blocks_.block(b);
+    const Corners end = gather_left(blocks_, b, nodes.position, nodes.reference, corners);
+    const Corners move = gather_way(blocks_, b, nodes.velocity, duration, corners);
+    const Corners turn = gather_way(blocks_, b, nodes.angular_velocity, duration, corners);
+    const Frame middle = frame_of(halfway(end, move), own);
+    Corners u, r;
+    for (int i = 0; i < 3; ++i) {
+        u[i] = middle.to_local(move[i]);
+        r[i] = middle.to_local(turn[i]);
+    }
+    ShellStrain<Lanes> e{0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+    for (int i = 0; i < 3; ++i) {
+        const Lanes &bx = middle.bx[i], &by = middle.by[i];
+        e.xx = e.xx + bx * u[i].x;
+        e.yy = e.yy + by * u[i].y;
+        e.xy = e.xy + by * u[i].x + bx * u[i].y;
+        e.bend_xx = e.bend_xx + bx * r[i].y;
+        e.bend_yy = e.bend_yy - by * r[i].x;
+        e.bend_xy = e.bend_xy + by * r[i].y - bx * r[i].x;
+    }
+    const auto shear = middle.shear_of(u, r);
+    e.zx = shear.zx;
+    e.yz = shear.yz;
+    const ShellResultant<Lanes> n = section_.stretch(law, e, middle.area, duration, own);
+    const Lanes round = resist_circulation(shear.circulation, own);
+
+    const Frame f = frame_of(end, own);
+    Corners force, moment;
+    for (int i = 0; i < 3; ++i) {
+        const Lanes bx = f.bx[i] * f.area, by = f.by[i] * f.area;
+        force[i] = {bx * n.xx + by * n.xy, by * n.yy + bx * n.xy, 0.0};
+        moment[i] = {-by * n.bend_yy - bx * n.bend_xy, bx * n.bend_xx + by * n.bend_xy, 0.0};
+    }
+    // loads on the three edges' shear: the transpose of Frame::shear_of
+    const Lanes along = (n.zx * f.bx[1] + n.yz * f.by[1]) * f.area, back = (n.zx * f.bx[2] + n.yz * f.by[2]) * f.area;
+    const Lanes common = round + (back - along) * (1.0 / 3.0);
+    const Lanes edges[3] = {along + common, common, common - back};
+    for (int k = 0; k < 3; ++k) {
+        const int next = (k + 1) % 3;
+        force[next].z = force[next].z + edges[k];
+        force[k].z = force[k].z - edges[k];
+        const Vector half{-0.5 * edges[k] * f.ey[k], 0.5 * edges[k] * f.ex[k], 0.0};
+        moment[k] += half;
+        moment[next] += half;
+    }
+    for (int i = 0; i < 3; ++i) {
+        force[i] = f.to_global(force[i]);
+        moment[i] = f.to_global(moment[i]);
+    }
+    const Vector way[] = {move[1] - move[0], move[2] - move[0]};
+    const Lanes total =
+        load_slot(own, slot_work) + exchange_work<5>(own, slot_loads, {&force[1], &force[2], &moment[0], &moment[1], &moment[2]},
+                                                     {&way[0], &way[1], &turn[0], &turn[1], &turn[2]});
+    store_slot(own, slot_work, total);
+    write_loads<3>(blocks_, b, force, &moment, loads.data());
+    blocks_.set_transit(b, allowed_step(f, own) + 0.0 * total);  // not a number if either is not
+}
+
+/// Elastic force that remembers, against the shear that runs round the edges; counts its work. [N]
+Lanes TriangleShells::resist_circulation(const Lanes& change, double* own) const
+{
+    const Lanes stiffness =
+        hourglass_.shear * section_.shear_factor * section_.stiffness.shear() * (1.0 / 3.0) * load_slot(own, slot_thickness);
+    const Lanes before = load_slot(own, slot_circulation), rise = stiffness * change;
+    store_slot(own, slot_circulation, before + rise);
+    store_slot(own, slot_hourglass_work, load_slot(own, slot_hourglass_work) + (before + 0.5 * rise) * change);
+    return before + rise;
+}
+
+/// Smallest rotary inertia over mass with which transverse shear is no faster than plate waves. [m2]
+Lanes TriangleShells::gyration(const Frame& f, const Lanes& thickness) const
+{
+    const Lanes plain = thickness * thickness * (1.0 / 12.0);
+    if (is_membrane()) return plain;
+    const GradientSum<Lanes> g = f.gradients();
+    const double ratio = section_.stiffness.plane() / (section_.shear_factor * section_.stiffness.shear());
+    const Lanes room = ratio * membrane_eigenvalue(g, section_.stiffness.poisson()) - largest_gradient(g);
+    const Lanes turns = f.turn_squares() + hourglass_.shear * (1.0 / 3.0) * f.circulation_squares() / f.area;
+    return larger(plain, turns / room);
+}
+
+/// 2 / (a bound of the highest frequency): of plate waves, of bending where the thickness has grown, of transverse shear. [s]
+Lanes TriangleShells::allowed_step(const Frame& f, const double* own) const
+{
+    const Lanes thickness = load_slot(own, slot_thickness), gyration_now = load_slot(own, slot_gyration);
+    const GradientSum<Lanes> g = f.gradients();
+    const Lanes bending = larger(thickness * thickness / (12.0 * gyration_now), Lanes(1.0));
+    const Lanes plate = 3.0 * section_.stiffness.plane() * membrane_eigenvalue(g, section_.stiffness.poisson()) * bending;
+    const Lanes turns = f.turn_squares() + hourglass_.shear * (1.0 / 3.0) * f.circulation_squares() / f.area;
+    const Lanes shear = 3.0 * section_.shear_factor * section_.stiffness.shear() * (largest_gradient(g) + turns / gyration_now);
+    return 2.0 * square_root(load_slot(own, slot_mass) / (f.area * thickness * larger(plate, shear)));
+}
+
+ElementEnergy TriangleShells::energy(std::size_t element) const
+{
+    if (!blocks_.is_left(element)) return {};
+    const double hourglass = blocks_.slot(element, slot_hourglass_work);
+    return {blocks_.slot(element, slot_work) - hourglass, blocks_.slot(element, slot_plastic_work), hourglass};
+}
+
+}  // namespace corpuscle
