@@ -11,6 +11,7 @@
 #include "input/gas_states.hpp"
 #include "input/placed.hpp"
 #include "input/shapes.hpp"
+#include "input/solid_cuts.hpp"
 #include "input/unlike_masses.hpp"
 #include "laws/collision/hard_spheres.hpp"
 
@@ -292,6 +293,7 @@ GasPlan plan_gas(const CaseDescription& description, std::vector<std::string>& w
     add_background(plan, input);
     add_fills(plan, description);
     add_charges(plan, description, warnings);
+    cut_by_solids(plan, description);
     const bool ambient =
         std::find(plan.gas.domain.edges.begin(), plan.gas.domain.edges.end(), Edge::ambient) != plan.gas.domain.edges.end();
     if (ambient && !input.fill)

@@ -5,9 +5,11 @@
 
 #include <fmt/format.h>
 
+#include "input/make_material.hpp"
 #include "input/placed.hpp"
 #include "input/shapes.hpp"
 #include "mesh/boundary.hpp"
+#include "mesh/extrude.hpp"
 #include "mesh/generators.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/selection.hpp"
@@ -50,7 +52,7 @@ Mesh only_group(const Mesh& mesh, const std::string& group, const Place& place)
     return part;
 }
 
-Mesh generated_mesh(const PartInput& part, const CaseDescription& description)
+Mesh generated_surface(const PartInput& part, const CaseDescription& description)
 {
     const MeshInput& mesh = part.mesh;
     if (mesh.disk) return disk_mesh(mesh.disk->radius, mesh.disk->element_size, mesh.disk->quarter);
@@ -60,6 +62,13 @@ Mesh generated_mesh(const PartInput& part, const CaseDescription& description)
     if (mesh.rectangle)
         return rectangle_mesh(mesh.rectangle->origin, mesh.rectangle->edge_1, mesh.rectangle->edge_2, mesh.rectangle->element_size);
     return box_mesh(box_of(mesh.box->box), mesh.box->element_size);
+}
+
+/// The way a part's surface is swept: along the normal of a rectangle, else along z. [m]
+Vector3d sweep_of(const MeshInput& mesh)
+{
+    if (!mesh.rectangle) return {0.0, 0.0, mesh.extrude->height};
+    return mesh.extrude->height * normalized(cross(mesh.rectangle->edge_1, mesh.rectangle->edge_2));
 }
 
 /// What a support holds, as masks on its nodes.
@@ -86,6 +95,54 @@ Hold make_hold(const Mesh& mesh, const FixInput& fix)
     return hold;
 }
 
+/// What the part's elements are and what they need besides a material.
+void set_section(PartDescription& built, const ElementInput& element)
+{
+    if (element.shell) {
+        built.element = ElementKind::shell;
+        built.thickness = element.shell->thickness;
+        built.points = element.shell->points;
+    } else if (element.membrane) {
+        built.element = ElementKind::membrane;
+        built.thickness = element.membrane->thickness;
+    } else if (element.is_solid()) {
+        const SolidSection section = element.solid.value_or(SolidSection{});
+        built.element = ElementKind::solid;
+        built.full_integration = section.bricks == BrickRule::full;
+        built.brick_hourglass = section.hourglass;
+    } else {
+        const RigidSection section = element.rigid.value_or(RigidSection{});
+        built.element = ElementKind::rigid;
+        built.rigid = {section.mass, section.inertia, section.center};
+        built.thickness = section.thickness.value_or(0.0);
+    }
+}
+
+Erosion make_erosion(const ErosionInput& input)
+{
+    Erosion limits;
+    if (input.plastic_strain) limits.plastic_strain = *input.plastic_strain;
+    if (input.principal_stress) limits.principal_stress = *input.principal_stress;
+    if (input.tension) limits.tension = *input.tension;
+    if (input.step) limits.step = *input.step;
+    return limits;
+}
+
+/// Triangles among a shell part's quadrilaterals make triangles of all: worth knowing, as they are stiffer and as many again.
+void warn_of_triangles(const PartDescription& built, std::vector<std::string>& warnings)
+{
+    const auto count = [&](ElementShape shape) {
+        return std::count_if(built.mesh.elements.begin(), built.mesh.elements.end(),
+                             [shape](const MeshElement& e) { return e.shape == shape; });
+    };
+    const auto triangles = count(ElementShape::triangle), others = count(ElementShape::quadrilateral);
+    if (built.element == ElementKind::shell && triangles > 0 && others > 0)
+        warnings.push_back(
+            fmt::format("part '{}' has {} triangles among {} quadrilaterals: all are computed as triangles, which are stiffer in "
+                        "bending; a mesh of quadrilaterals alone is better",
+                        built.name, triangles, others));
+}
+
 PartDescription describe(const PartInput& part, const CaseDescription& description, std::vector<std::string>& warnings)
 {
     PartDescription built;
@@ -96,43 +153,37 @@ PartDescription describe(const PartInput& part, const CaseDescription& descripti
         for (const std::string& warning : validate(built.mesh, part.name)) warnings.push_back(warning);
         if (part.mesh.closed) require_closed(built.mesh, part.name);
     });
-    built.element = part.element.shell ? ElementKind::shell : ElementKind::rigid;
-    if (part.element.shell) {
+    set_section(built, part.element);
+    if (part.element.is_rigid()) {
+        if (part.material && part.element.rigid) built.material = make_material(*part.material->values);
+        if (part.material && !part.element.rigid)
+            warnings.push_back(fmt::format("part '{}' is rigid: its material has no effect", part.name));
+    } else {
         if (!part.material)
             throw InputError(fmt::format("part '{}' has no material, so it has no mass", part.name),
                              "expected material = \"rha_steel\" or another (`corpuscle list materials`)", part.places.own);
         built.material = make_material(*part.material->values);
-        built.thickness = part.element.shell->thickness;
-        built.points = part.element.shell->points;
-    } else if (part.material) {
-        warnings.push_back(fmt::format("part '{}' is rigid: its material has no effect", part.name));
+        if (part.erosion) built.erosion = make_erosion(*part.erosion);
     }
+    warn_of_triangles(built, warnings);
     for (const FixInput& fix : part.fix) built.holds.push_back(make_hold(built.mesh, fix));
+    for (const PointMassInput& extra : part.point_masses)
+        built.point_masses.push_back(
+            {at_place(extra.places.of("where"), [&] { return select_nodes(built.mesh, extra.where); }), extra.mass});
     built.velocity = part.velocity;
+    built.spin = part.spin;
     return built;
 }
 
 }  // namespace
 
-Material make_material(const MaterialValues& values)
-{
-    Material material{values.name, values.density, values.young_modulus, values.poisson_ratio, Elastic{}};
-    if (values.strength.bilinear) {
-        const BilinearValues& b = *values.strength.bilinear;
-        if (b.rate_c > 0 && !(b.rate_p >= 1))
-            throw InputError(fmt::format("material '{}' has rate_c but rate_p = {}", values.name, b.rate_p),
-                             "expected rate_p >= 1 beside rate_c", values.places.own);
-        material.strength = BilinearPlastic{b.yield_stress, b.hardening_modulus, b.rate_c, std::max(1.0, b.rate_p), b.kinematic};
-    }
-    return material;
-}
-
 Mesh make_mesh(const PartInput& part, const CaseDescription& description)
 {
     const Place& place = part.places.of("mesh");
     Mesh mesh = part.mesh.file ? mesh_from_file(*part.mesh.file, part.mesh.unit, description, place)
-                               : at_place(place, [&] { return generated_mesh(part, description); });
+                               : at_place(place, [&] { return generated_surface(part, description); });
     if (!part.mesh.group.empty()) mesh = only_group(mesh, part.mesh.group, part.mesh.places.of("group"));
+    if (part.mesh.extrude) mesh = at_place(place, [&] { return extruded(mesh, sweep_of(part.mesh), part.mesh.extrude->layers); });
     translate(mesh, part.mesh.move);
     return mesh;
 }

@@ -8,9 +8,6 @@
 
 namespace corpuscle {
 
-/// The material of preset values.
-[[nodiscard]] Material make_material(const MaterialValues& values);
-
 /// The mesh of a part, in its place. A ring whose inner radius is a disk's in the same case is made flush with it.
 [[nodiscard]] Mesh make_mesh(const PartInput& part, const CaseDescription& description);
 

@@ -7,7 +7,7 @@ namespace corpuscle {
 template <>
 const std::vector<std::pair<std::string, PlainElement>>& words_of<PlainElement>()
 {
-    static const std::vector<std::pair<std::string, PlainElement>> words{{"rigid", PlainElement::rigid}};
+    static const std::vector<std::pair<std::string, PlainElement>> words{{"rigid", PlainElement::rigid}, {"solid", PlainElement::solid}};
     return words;
 }
 
@@ -80,6 +80,27 @@ const Table& table_of<BoxMeshInput>()
 }
 
 template <>
+const std::vector<std::pair<std::string, BrickRule>>& words_of<BrickRule>()
+{
+    static const std::vector<std::pair<std::string, BrickRule>> words{{"one_point", BrickRule::one_point}, {"full", BrickRule::full}};
+    return words;
+}
+
+template <>
+const Table& table_of<ExtrudeInput>()
+{
+    static const Table table =
+        TableBuilder<ExtrudeInput>(
+            "extrude",
+            "Sweeps the surface along +z (a rectangle along edge_1 x edge_2) into hexahedra. Node sets: those of the "
+            "surface, `start`, `end`.")
+            .need("height", &ExtrudeInput::height, {"m", above(0), "How far.", "\"20 mm\""})
+            .row("layers", &ExtrudeInput::layers, {"", from_to(1, 10000), "Hexahedra over the height.", "4"})
+            .table();
+    return table;
+}
+
+template <>
 const Table& table_of<MeshInput>()
 {
     static const Table table =
@@ -93,6 +114,11 @@ const Table& table_of<MeshInput>()
             .row("rectangle", &MeshInput::rectangle,
                  {"", {}, "A parallelogram.", "{ edge_1 = [1, 0, 0], edge_2 = [0, 1, 0], element_size = \"20 mm\" }"})
             .row("box", &MeshInput::box, {"", {}, "A hollow closed box.", "{ box = [[0, 1], [0, 1], [0, 1]], element_size = \"20 mm\" }"})
+            .row("extrude", &MeshInput::extrude,
+                 {"",
+                  {},
+                  "Sweeps a disk, ring, rectangle or file of quadrilaterals into a solid of hexahedra.",
+                  "{ height = \"20 mm\", layers = 4 }"})
             .row("file", &MeshInput::file,
                  {"", {}, "A mesh file, beside the case or with its full path: .msh (gmsh 2.2, 4.1) or .stl.", "\"hull.msh\""})
             .row("unit", &MeshInput::unit, {"", {}, "Unit of the coordinates in the file.", "\"mm\""})
@@ -106,12 +132,83 @@ const Table& table_of<MeshInput>()
 }
 
 template <>
-const Table& table_of<ShellSection>()
+const Table& table_of<ShellInputSection>()
 {
     static const Table table =
-        TableBuilder<ShellSection>("shell", "Belytschko-Lin-Tsay shells.")
-            .need("thickness", &ShellSection::thickness, {"m", above(0), "Thickness; the mesh is its middle.", "\"20 mm\""})
-            .row("points", &ShellSection::points, {"", from_to(3, 10), "Integration points through the thickness.", "5"})
+        TableBuilder<ShellInputSection>("shell", "Belytschko-Lin-Tsay shells.")
+            .need("thickness", &ShellInputSection::thickness, {"m", above(0), "Thickness; the mesh is its middle.", "\"20 mm\""})
+            .row("points", &ShellInputSection::points, {"", from_to(3, 10), "Integration points through the thickness.", "5"})
+            .table();
+    return table;
+}
+
+template <>
+const Table& table_of<MembraneSection>()
+{
+    static const Table table =
+        TableBuilder<MembraneSection>(
+            "membrane", "Shells that do not bend, of triangles; quadrilaterals are cut in two. For cloth with the law `fabric`.")
+            .need("thickness", &MembraneSection::thickness, {"m", above(0), "Thickness; the mesh is its middle.", "\"0.3 mm\""})
+            .table();
+    return table;
+}
+
+template <>
+const Table& table_of<SolidSection>()
+{
+    static const Table table =
+        TableBuilder<SolidSection>("solid", "Eight-node bricks, or four-node tetrahedra whose growth of volume is averaged at the nodes.")
+            .row("bricks", &SolidSection::bricks,
+                 {"",
+                  {},
+                  "Points of a brick: `one_point` with Flanagan-Belytschko hourglass control; `full`, eight, several times slower, without "
+                  "hourglass modes.",
+                  "\"full\""})
+            .row("hourglass", &SolidSection::hourglass,
+                 {"", from_to(0, 0.5), "Stiffness of one-point bricks against hourglass modes.", "0.05"})
+            .table();
+    return table;
+}
+
+template <>
+const Table& table_of<RigidSection>()
+{
+    static const Table table =
+        TableBuilder<RigidSection>(
+            "rigid",
+            "A body that does not deform. Held wholly it is a wall; else it moves with the mass, center and inertia of its "
+            "elements (a material, and for surfaces a thickness), or those given here.")
+            .row("mass", &RigidSection::mass, {"kg", above(0), "Its mass, spread over its elements.", "\"20 kg\""})
+            .row("inertia", &RigidSection::inertia, {"kg m2", above(0), "About x, y, z through its center.", "[1.2, 1.2, 2.0]"})
+            .row("center", &RigidSection::center, {"m", {}, "Its center of mass.", "[0, 0, \"100 mm\"]"})
+            .row("thickness", &RigidSection::thickness, {"m", above(0), "Thickness of its surface, with a material.", "\"10 mm\""})
+            .table();
+    return table;
+}
+
+template <>
+const Table& table_of<PointMassInput>()
+{
+    static const Table table =
+        TableBuilder<PointMassInput>("point_masses", "Mass that rides on nodes, in equal parts, without stiffness.")
+            .need("where", &PointMassInput::where, {"", {}, "Nodes: `all`, a node set of the mesh, or a plane (`x=0`).", "\"end\""})
+            .need("mass", &PointMassInput::mass, {"kg", above(0), "Of all these nodes together.", "\"2 kg\""})
+            .table();
+    return table;
+}
+
+template <>
+const Table& table_of<ErosionInput>()
+{
+    static const Table table =
+        TableBuilder<ErosionInput>("erosion",
+                                   "Limits beyond which an element is taken out, a shell when all its points are: its mass and energy are "
+                                   "booked as `eroded`, and gas passes where it was. Johnson-Cook failure needs no limit here.")
+            .row("plastic_strain", &ErosionInput::plastic_strain, {"", above(0), "Equivalent plastic strain.", "0.3"})
+            .row("principal_stress", &ErosionInput::principal_stress,
+                 {"Pa", above(0), "Largest principal stress, in tension.", "\"4 MPa\""})
+            .row("tension", &ErosionInput::tension, {"Pa", above(0), "Mean tension: minus the pressure.", "\"2 GPa\""})
+            .row("step", &ErosionInput::step, {"s", above(0), "Stable step below which an element goes.", "\"10 ns\""})
             .table();
     return table;
 }
@@ -121,9 +218,13 @@ const Table& table_of<ElementInput>()
 {
     static const Table table =
         TableBuilder<ElementInput>("element", "What the elements of a part are.")
-            .row("plain", &ElementInput::plain, {"", {}, "`rigid`: it does not move, and needs no material.", "\"rigid\""})
+            .row("plain", &ElementInput::plain,
+                 {"", {}, "`rigid`: a wall, held wholly, without material; `solid`: solids as `{ solid = {} }`.", "\"rigid\""})
             .row("shell", &ElementInput::shell, {"", {}, "Shells.", "{ thickness = \"20 mm\", points = 5 }"})
-            .one_of({"plain", "shell"})
+            .row("membrane", &ElementInput::membrane, {"", {}, "Shells that do not bend.", "{ thickness = \"0.3 mm\" }"})
+            .row("solid", &ElementInput::solid, {"", {}, "Bricks or tetrahedra.", "{ bricks = \"one_point\" }"})
+            .row("rigid", &ElementInput::rigid, {"", {}, "A body that moves without deforming.", "{ mass = \"20 kg\" }"})
+            .one_of({"plain", "shell", "membrane", "solid", "rigid"})
             .shorthand("plain")
             .table();
     return table;
@@ -153,7 +254,11 @@ const Table& table_of<PartInput>()
             .need("element", &PartInput::element, {"", {}, "Its elements.", "{ shell = { thickness = \"20 mm\", points = 5 } }"})
             .row("material", &PartInput::material,
                  {"", {}, "What it is made of (`corpuscle list materials`), unless rigid.", "\"rha_steel\""})
+            .row("erosion", &PartInput::erosion, {"", {}, "When its elements are taken out.", "{ plastic_strain = 0.3 }"})
             .row("fix", &PartInput::fix, {"", {}, "Its supports.", "[{ where = \"rim\", dof = \"all\" }]"})
+            .row("point_masses", &PartInput::point_masses,
+                 {"", {}, "Mass besides that of the elements.", "[{ where = \"end\", mass = \"2 kg\" }]"})
+            .row("spin", &PartInput::spin, {"rad/s", {}, "Angular velocity at the start, of a rigid part that moves.", "[0, 0, 100]"})
             .row("velocity", &PartInput::velocity, {"m/s", {}, "Velocity at the start.", "[0, 0, 10]"})
             .table();
     return table;

@@ -36,12 +36,19 @@ struct BoxMeshInput {
     double element_size = 0;  ///< [m]
 };
 
+/// A way along which a surface mesh sweeps a solid.
+struct ExtrudeInput {
+    double height = 0;  ///< along +z, or along edge_1 x edge_2 of a rectangle [m]
+    int layers = 1;
+};
+
 /// Where the mesh of a part comes from, and where it is put.
 struct MeshInput {
     std::optional<DiskInput> disk;
     std::optional<RingInput> ring;
     std::optional<RectangleInput> rectangle;
     std::optional<BoxMeshInput> box;
+    std::optional<ExtrudeInput> extrude;
     std::optional<std::string> file;
     std::string unit = "m";  ///< of the file's coordinates
     std::string group;       ///< element set of the file; all if empty
@@ -50,17 +57,58 @@ struct MeshInput {
     Places places;
 };
 
-struct ShellSection {
+struct ShellInputSection {
     double thickness = 0;  ///< [m]
     int points = 5;
 };
 
-enum class PlainElement { rigid };
+struct MembraneSection {
+    double thickness = 0;  ///< [m]
+};
 
-/// What the part's elements are: shells with a thickness, or rigid.
+/// Points of a brick: one with hourglass control, or eight.
+enum class BrickRule { one_point, full };
+
+struct SolidSection {
+    BrickRule bricks = BrickRule::one_point;
+    double hourglass = 0.02;  ///< stiffness of one-point bricks against hourglass modes
+};
+
+/// A rigid part that moves; without any of these it must be held wholly.
+struct RigidSection {
+    std::optional<double> mass;       ///< [kg]
+    std::optional<Vector3d> inertia;  ///< [kg m2]
+    std::optional<Vector3d> center;   ///< [m]
+    std::optional<double> thickness;  ///< of surfaces, with a material [m]
+};
+
+/// Mass on nodes besides that of the elements.
+struct PointMassInput {
+    std::string where = "all";
+    double mass = 0;  ///< [kg]
+    Places places;
+};
+
+enum class PlainElement { rigid, solid };
+
+/// What the part's elements are: shells or membranes with a thickness, solids, or rigid.
 struct ElementInput {
     std::optional<PlainElement> plain;
-    std::optional<ShellSection> shell;
+    std::optional<ShellInputSection> shell;
+    std::optional<MembraneSection> membrane;
+    std::optional<SolidSection> solid;
+    std::optional<RigidSection> rigid;
+
+    [[nodiscard]] bool is_solid() const { return solid || plain == PlainElement::solid; }
+    [[nodiscard]] bool is_rigid() const { return rigid || plain == PlainElement::rigid; }
+};
+
+/// When elements of a part are taken out.
+struct ErosionInput {
+    std::optional<double> plastic_strain;
+    std::optional<double> principal_stress;  ///< [Pa]
+    std::optional<double> tension;           ///< [Pa]
+    std::optional<double> step;              ///< [s]
 };
 
 /// Directions a support holds.
@@ -77,8 +125,11 @@ struct PartInput {
     MeshInput mesh;
     ElementInput element;
     std::optional<Preset<MaterialValues>> material;
+    std::optional<ErosionInput> erosion;
     std::vector<FixInput> fix;
+    std::vector<PointMassInput> point_masses;
     Vector3d velocity;  ///< at the start [m/s]
+    Vector3d spin;      ///< at the start, of a rigid part that moves [rad/s]
     Places places;
 };
 
@@ -113,9 +164,23 @@ const Table& table_of<RectangleInput>();
 template <>
 const Table& table_of<BoxMeshInput>();
 template <>
+const std::vector<std::pair<std::string, BrickRule>>& words_of<BrickRule>();
+template <>
+const Table& table_of<ExtrudeInput>();
+template <>
+const Table& table_of<MembraneSection>();
+template <>
+const Table& table_of<SolidSection>();
+template <>
+const Table& table_of<RigidSection>();
+template <>
+const Table& table_of<PointMassInput>();
+template <>
+const Table& table_of<ErosionInput>();
+template <>
 const Table& table_of<MeshInput>();
 template <>
-const Table& table_of<ShellSection>();
+const Table& table_of<ShellInputSection>();
 template <>
 const Table& table_of<ElementInput>();
 template <>

@@ -108,42 +108,6 @@ const Table& table_of<GasValues>()
 }
 
 template <>
-const Table& table_of<ElasticValues>()
-{
-    static const Table table = TableBuilder<ElasticValues>("elastic", "Linear elastic: no yield.").table();
-    return table;
-}
-
-template <>
-const Table& table_of<BilinearValues>()
-{
-    static const Table table =
-        TableBuilder<BilinearValues>("bilinear",
-                                     "Von Mises plasticity, sigma_y = (yield_stress + hardening_modulus * eps_p) * (1 + (rate/C)^(1/p)).")
-            .need("yield_stress", &BilinearValues::yield_stress, {"Pa", above(0), "Yield stress at rest.", "\"1200 MPa\""})
-            .row("hardening_modulus", &BilinearValues::hardening_modulus,
-                 {"Pa", at_least(0), "Plastic hardening modulus: slope of yield stress against plastic strain.", "\"6500 MPa\""})
-            .row("rate_c", &BilinearValues::rate_c,
-                 {"1/s", at_least(0), "C of Cowper and Symonds; 0: no effect of the strain rate.", "\"300 1/s\""})
-            .row("rate_p", &BilinearValues::rate_p, {"", at_least(0), "p of Cowper and Symonds.", "5"})
-            .row("kinematic", &BilinearValues::kinematic, {"", from_to(0, 1), "Share of the hardening that is kinematic.", "0"})
-            .table();
-    return table;
-}
-
-template <>
-const Table& table_of<StrengthValues>()
-{
-    static const Table table =
-        TableBuilder<StrengthValues>("strength", "How a material resists.")
-            .row("elastic", &StrengthValues::elastic, {"", {}, "Linear elastic.", "{}"})
-            .row("bilinear", &StrengthValues::bilinear, {"", {}, "Von Mises plasticity with linear hardening and rate effect.", ""})
-            .one_of({"elastic", "bilinear"})
-            .table();
-    return table;
-}
-
-template <>
 const Table& table_of<MaterialValues>()
 {
     static const Table table =

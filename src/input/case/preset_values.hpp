@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "schema/codec.hpp"
 
@@ -67,9 +68,48 @@ struct BilinearValues {
     double kinematic = 0;  ///< share of kinematic hardening
 };
 
+/// Yield stress over plastic strain, at a rate if there are several.
+struct CurveLine {
+    double rate = 0;                     ///< [1/s]
+    std::vector<double> plastic_strain;  ///< from 0 upward
+    std::vector<double> stress;          ///< [Pa]
+};
+
+struct CurveValues {
+    std::vector<CurveLine> curves;
+    double rate_c = 0;  ///< Cowper-Symonds [1/s]; 0: no such factor
+    double rate_p = 0;
+};
+
+/// Strength and failure after Johnson and Cook.
+struct JohnsonCookValues {
+    double a = 0, b = 0;  ///< [Pa]
+    double n = 1, c = 0, m = 1;
+    double reference_rate = 1;                                 ///< [1/s]
+    double room_temperature = 293, melting_temperature = 1e9;  ///< [K]
+    double specific_heat = 0;                                  ///< [J/(kg K)]
+    double heat_share = 0.9;
+    double d1 = 0, d2 = 0, d3 = 0, d4 = 0, d5 = 0;
+};
+
+/// Deviator with linear hardening, pressure after Mie and Grueneisen.
+struct HydroValues {
+    double yield_stress = 0;       ///< [Pa]
+    double hardening_modulus = 0;  ///< [Pa]
+    double sound_speed = 0;        ///< c0 [m/s]
+    double slope = 0, grueneisen = 0;
+    std::optional<double> tension_limit;  ///< [Pa]
+};
+
+struct FabricValues {};
+
 struct StrengthValues {
     std::optional<ElasticValues> elastic;
     std::optional<BilinearValues> bilinear;
+    std::optional<CurveValues> curve;
+    std::optional<JohnsonCookValues> johnson_cook;
+    std::optional<HydroValues> hydro;
+    std::optional<FabricValues> fabric;
 };
 
 struct MaterialValues {
@@ -98,6 +138,16 @@ template <>
 const Table& table_of<ElasticValues>();
 template <>
 const Table& table_of<BilinearValues>();
+template <>
+const Table& table_of<CurveLine>();
+template <>
+const Table& table_of<CurveValues>();
+template <>
+const Table& table_of<JohnsonCookValues>();
+template <>
+const Table& table_of<HydroValues>();
+template <>
+const Table& table_of<FabricValues>();
 template <>
 const Table& table_of<StrengthValues>();
 template <>
