@@ -18,6 +18,7 @@
 #include "gas/fly.hpp"
 #include "gas/sort.hpp"
 #include "math/random.hpp"
+#include "mesh/extrude.hpp"
 #include "mesh/generators.hpp"
 #include "mesh/selection.hpp"
 #include "parallel/loops.hpp"
@@ -61,7 +62,11 @@ public:
                 measure_gas(particles, std::max<int>(3, static_cast<int>(20'000'000 / particles)), false);
             }
         }
-        if (wanted("shells")) measure_shells();
+        if (wanted("shells")) measure_structure("shells: whole step", shell_plate());
+        if (wanted("bricks")) {
+            measure_structure("bricks, one point: whole step", brick_plate(false));
+            measure_structure("bricks, eight points: whole step", brick_plate(true));
+        }
         if (wanted("euler")) measure_euler();
         for (BenchLine& line : lines_) {
             line.ratio = line.nanoseconds / reference_;
@@ -153,17 +158,30 @@ private:
     }
 
     /// The quarter plate of the paper, hit by an initial velocity so that it yields.
-    void measure_shells()
+    static PartDescription plate_of(Mesh mesh)
     {
-        Structure structure;
         PartDescription plate;
         plate.name = "plate";
-        plate.mesh = disk_mesh(0.5, 0.005, true);
+        plate.mesh = std::move(mesh);
         plate.material = {"rha", 7838, 212e9, 0.28, BilinearPlastic{1200e6, 6500e6, 300, 5, 0}};
         plate.thickness = 0.02;
         plate.holds.push_back(clamp(select_nodes(plate.mesh, "rim")));
         plate.velocity = {0, 0, -150};
-        add_part(structure, plate);
+        return plate;
+    }
+    static PartDescription shell_plate() { return plate_of(disk_mesh(0.5, 0.005, true)); }
+    static PartDescription brick_plate(bool full)
+    {
+        PartDescription plate = plate_of(extruded(disk_mesh(0.5, 0.01, true), {0, 0, -0.02}, 4));
+        plate.element = ElementKind::solid;
+        plate.full_integration = full;
+        return plate;
+    }
+
+    void measure_structure(const std::string& name, const PartDescription& part)
+    {
+        Structure structure;
+        add_part(structure, part);
         Clock clock;
         const int steps = 100;
         const double seconds = median_seconds([&] {
@@ -174,7 +192,7 @@ private:
                 clock.end_step();
             }
         });
-        add("shells: whole step", seconds, static_cast<double>(structure.element_count()) * steps);
+        add(name, seconds, static_cast<double>(structure.element_count()) * steps);
     }
 
     /// Products and air in space: a ball of burnt TNT, in a corner of mirrors, that has grown to half of the box; every block is computed.
@@ -215,7 +233,7 @@ private:
 
 const std::vector<std::string>& bench_names()
 {
-    static const std::vector<std::string> names{"reference", "gas", "sizes", "shells", "euler"};
+    static const std::vector<std::string> names{"reference", "gas", "sizes", "shells", "bricks", "euler"};
     return names;
 }
 
@@ -223,7 +241,7 @@ std::vector<BenchLine> run_bench(const BenchSettings& settings)
 {
     const auto& names = bench_names();
     if (!settings.name.empty() && std::find(names.begin(), names.end(), settings.name) == names.end()) {
-        throw InputError("there is no benchmark '" + settings.name + "'", "expected one of: reference, gas, sizes, shells, euler");
+        throw InputError("there is no benchmark '" + settings.name + "'", "expected one of: reference, gas, sizes, shells, bricks, euler");
     }
     const int threads_before = thread_count();
     std::vector<BenchLine> lines;
