@@ -30,6 +30,18 @@ double half_step_work(const Nodes& nodes, double duration)
     });
 }
 
+/// About the faces of each part of solids: gas presses on them from one side alone, so it must be awake.
+std::vector<Box> solid_boxes(const Structure& structure)
+{
+    std::vector<Box> boxes(structure.parts.size());
+    for (const Facet& facet : structure.surface.facets) {
+        if (!facet.solid) continue;
+        for (const std::uint32_t node : facet.node) boxes[facet.part].include(structure.nodes.position[node]);
+    }
+    std::erase_if(boxes, [](const Box& box) { return !(box.lower.x <= box.upper.x); });
+    return boxes;
+}
+
 }  // namespace
 
 Model::Model(Gas gas_, Structure structure_) : gas(std::move(gas_)), structure(std::move(structure_)), gas_structure(gas, structure) {}
@@ -51,11 +63,16 @@ void let_sleep_beside_structure(Model& model)
     SleepingGas& sleeping = model.gas.sleeping;
     const Nodes& nodes = model.structure.nodes;
     if (sleeping.disturbances.empty()) return;
+    for (const Box& box : solid_boxes(model.structure)) sleeping.disturbances.push_back({box, 0});
     bool moves = !model.loads.empty();
     Box movable;
     for (std::size_t n = 0; n < nodes.size(); ++n) {
         moves = moves || norm_squared(nodes.velocity[n]) + norm_squared(nodes.angular_velocity[n]) > 0;
         if (norm_squared(nodes.inverse_mass[n]) > 0) movable.include(nodes.position[n]);
+    }
+    for (const RigidBody& body : model.structure.nodes.bodies) {
+        moves = moves || norm_squared(body.velocity) + norm_squared(body.spin_momentum) > 0;
+        for (std::uint32_t n = 0; n < body.node_count; ++n) movable.include(nodes.position[body.first_node + n]);
     }
     if (!(movable.lower.x <= movable.upper.x)) return;
     sleeping.movable = movable;

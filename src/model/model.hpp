@@ -45,7 +45,8 @@ public:
     [[nodiscard]] Holding held(double duration) const;
 };
 
-/// Tells the gas, if any of it is to sleep, what of the structure can move, and whether it moves from the start.
+/// Tells the gas, if any of it is to sleep, what of the structure can move, whether it moves from the start, and where solids are, which
+/// gas presses on from one side.
 void let_sleep_beside_structure(Model& model);
 
 /// Adds the empirical blast load on a part to the model.

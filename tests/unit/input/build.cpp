@@ -201,3 +201,27 @@ TEST(Memory, TooMuchIsRefusedAtItsPlace)
     EXPECT_GT(machine_memory().total, 0u);
     EXPECT_EQ(bytes_text(3'200'000'000), "3.2 GB");
 }
+
+/// Gas may sleep about shells and what stands still; beside solids, and where something moves from the start, it must not.
+TEST(Build, GasSleepsOnlyWhereNothingMovesOrPressesFromOneSide)
+{
+    const auto at_rest = build(plate());
+    EXPECT_THAT(at_rest->gas.sleeping.disturbances, SizeIs(1));  // the charge
+    ASSERT_TRUE(at_rest->gas.sleeping.movable);
+    EXPECT_GT(at_rest->gas.sleeping.movable->upper.x, 0.45);  // the plate within its rim,
+    EXPECT_LT(at_rest->gas.sleeping.movable->upper.x, 0.5);   // not its rigid frame
+    EXPECT_FALSE(at_rest->gas.sleeping.movable_woken);
+    EXPECT_THAT(build(plate({"gas.sleep=false"}))->gas.sleeping.disturbances, SizeIs(0));
+    EXPECT_THAT(build(plate({"gas.edges.z=[\"ambient\",\"open\"]"}))->gas.sleeping.disturbances, SizeIs(2));
+
+    CaseDescription moving = plate();
+    moving.parts.front().velocity = {0, 0, 1};
+    EXPECT_TRUE(build(moving)->gas.sleeping.movable_woken);
+    EXPECT_THAT(build(moving)->gas.sleeping.disturbances, SizeIs(2));
+
+    CaseDescription thick = plate();
+    thick.parts.front().element = {};
+    thick.parts.front().element.plain = PlainElement::solid;
+    thick.parts.front().mesh.extrude = ExtrudeInput{0.02, 2};
+    EXPECT_THAT(build(thick)->gas.sleeping.disturbances, SizeIs(2));
+}
