@@ -17,6 +17,12 @@ namespace corpuscle {
 
 namespace {
 
+void print_start(const FreeBlast& start)
+{
+    fmt::print("the run starts at {:.4g} ms: the blast, solved in one dimension, has then reached {:.4g} m of {:.4g} m to what it meets\n",
+               1e3 * start.time, start.front, start.obstacle);
+}
+
 void print_gas(const GasPlan& plan)
 {
     TextTable table({"gas", "law", "mass [kg]", "particles", "particle mass [kg]"});
@@ -31,10 +37,7 @@ void print_gas(const GasPlan& plan)
     const auto [least, most] = std::minmax_element(plan.gas.species.begin(), plan.gas.species.end(),
                                                    [](const Species& a, const Species& b) { return a.particle_mass < b.particle_mass; });
     fmt::print("heaviest over lightest particle: {:.3g}\n", most->particle_mass / least->particle_mass);
-    if (plan.start)
-        fmt::print(
-            "the run starts at {:.4g} ms: the blast, solved in one dimension, has then reached {:.4g} m of {:.4g} m to what it meets\n",
-            1e3 * plan.start->time, plan.start->front, plan.start->obstacle);
+    if (plan.start) print_start(*plan.start);
     fmt::print("\n");
 }
 
@@ -57,7 +60,9 @@ void print_grid(const EulerPlan& plan)
         counts += fmt::format("{}{}", counts.empty() ? "" : " x ", plan.cells_along(d));
         widths += fmt::format("{}{:.4g}", widths.empty() ? "" : " x ", 1e3 * (plan.faces[d][1] - plan.faces[d][0]));
     }
-    fmt::print("{} cells: {}, each {} mm\n\n", plan.cells(), counts, widths);
+    fmt::print("{} cells: {}, each {} mm\n", plan.cells(), counts, widths);
+    if (plan.start) print_start(*plan.start);
+    fmt::print("\n");
 }
 
 double mass_of(const Structure& structure, const Part& part)

@@ -152,9 +152,11 @@ std::string measures_text(const LoneCharge& lone, const std::vector<RadialGauge>
 int radial_command(const Options& options)
 {
     const CaseDescription description = case_of(options);
-    if (!description.gas) throw InputError("there is no [gas] for a blast", "expected [gas] with a fill", description.places.own);
+    if (!description.gas && !description.euler)
+        throw InputError("there is no [gas] for a blast", "expected [gas] or [euler] with a fill", description.places.own);
     const CaseSurvey survey = survey_case(description);
-    const LoneCharge lone = lone_charge(*survey.gas, description, "a blast in one dimension", description.gas->places.own);
+    const LoneCharge lone =
+        lone_charge(description, "a blast in one dimension", description.gas ? description.gas->places.own : description.euler->places.own);
     std::vector<RadialGauge> gauges;
     for (const double distance : distances(options, description, lone)) gauges.push_back({distance, {}});
     if (!(description.end_time > lone.lit))

@@ -112,7 +112,9 @@ OutputSettings make_output(const CaseDescription& description)
 
 std::unique_ptr<Model> build(const CaseDescription& description, CaseSurvey& survey)
 {
-    const double start_time = survey.gas && survey.gas->start ? survey.gas->start->time : 0;
+    const double start_time = survey.gas && survey.gas->start       ? survey.gas->start->time
+                              : survey.euler && survey.euler->start ? survey.euler->start->time
+                                                                    : 0;
     Gas gas = survey.gas ? at_place(description.gas->places.own, [&] { return fill_gas(std::move(*survey.gas)); }) : Gas{};
     auto model = std::make_unique<Model>(std::move(gas), std::move(survey.structure));
     model->title = description.title;

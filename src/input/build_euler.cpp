@@ -9,6 +9,7 @@
 #include "input/build_gas.hpp"
 #include "input/charges.hpp"
 #include "input/gas_states.hpp"
+#include "input/grid_start.hpp"
 #include "input/grid_symmetry.hpp"
 #include "input/placed.hpp"
 #include "input/shapes.hpp"
@@ -255,19 +256,27 @@ EulerPlan plan_euler(const CaseDescription& description, std::vector<std::string
     fill_around(plan, input);
     for (const FillInput& fill : description.fills) add_fill(plan, fill, description);
     for (const ChargeInput& charge : description.charges) add_charge(plan, charge, description);
-    warn_of_coarse_cells(plan, warnings);
+    if (input.start == StartRule::spherical) {
+        plan_grid_start(plan, description);
+    } else {
+        warn_of_coarse_cells(plan, warnings);
+    }
     return plan;
 }
 
 EulerGrid fill_grid(const EulerPlan& plan)
 {
     EulerGrid grid = make_grid(plan.space, plan.faces, plan.edges, plan.materials, plan.settings);
-    fill(grid, plan.fills);
+    if (plan.start) {
+        fill_from_blast(grid, plan);
+    } else {
+        fill(grid, plan.fills);
+    }
     return grid;
 }
 
 /// Waves along all axes together cross a cell at a charge's surface with about its detonation velocity for each axis; as the cloud spreads
-/// over the charge's size in a time, they slow down.
+/// over the charge's size in a time, they slow down. After a spherical start they are judged by the mean speed of the front until then.
 double expected_grid_step(const EulerPlan& plan, double time)
 {
     double rate = 0;
@@ -279,6 +288,7 @@ double expected_grid_step(const EulerPlan& plan, double time)
             const double first = material.explosive.detonation_velocity, size = std::cbrt(fill.shape.volume());
             speed = first / std::pow(1 + time * first / (4 * size), 0.6);
         }
+        if (plan.start && fill.state.unburnt) speed = 1.5 * plan.start->front / std::max(time, plan.start->time);
         double all = 0;
         for (std::size_t axis = 0; axis < 3; ++axis)
             if (plan.live(axis)) all += speed / (plan.faces[axis][1] - plan.faces[axis][0]);

@@ -10,6 +10,7 @@
 #include "euler/grid.hpp"
 #include "gas/domain.hpp"
 #include "input/case/case_description.hpp"
+#include "input/spherical_start.hpp"
 
 namespace corpuscle {
 
@@ -23,6 +24,7 @@ struct EulerPlan {
     std::vector<EulerFill> fills;
     std::vector<Shape> charge_shapes;   ///< the last fills are theirs
     std::vector<double> charge_masses;  ///< within the grid, the whole way round [kg]
+    std::optional<FreeBlast> start;     ///< if the gases begin from the blast in one dimension
     Domain domain;                      ///< the box in space, the whole way round
 
     [[nodiscard]] std::size_t cells() const;
@@ -38,7 +40,7 @@ struct EulerPlan {
 /// Fills the grid as planned. Errors: InputError where nothing fills a part of it.
 [[nodiscard]] EulerGrid fill_grid(const EulerPlan& plan);
 
-/// Steps that the grid will take, about.
+/// The stable step that the grid will have at a time, about [s].
 [[nodiscard]] double expected_grid_step(const EulerPlan& plan, double time);
 
 }  // namespace corpuscle

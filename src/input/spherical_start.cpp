@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 
 #include "input/build_gas.hpp"
+#include "input/gas_states.hpp"
+#include "input/placed.hpp"
 #include "mesh/distance.hpp"
 #include "radial/charge.hpp"
 
@@ -20,31 +22,9 @@ constexpr RadialCells cells{100, 30, 0.25};
 /// The front stops at this share of the way to what it will meet.
 constexpr double nearing = 0.95;
 
-/// Distance between a point and a box, 0 within [m].
-double distance_to_box(const Vector3d& p, const Box& box)
-{
-    Vector3d away;
-    for (int axis = 0; axis < 3; ++axis) away[axis] = std::max({0.0, box.lower[axis] - p[axis], p[axis] - box.upper[axis]});
-    return norm(away);
-}
-
-/// Distance from the charge to the nearest face of the domain that is no plane of symmetry through it.
-double distance_to_faces(const Domain& domain, const Sector& sector, const Vector3d& center)
-{
-    double nearest = std::numeric_limits<double>::infinity();
-    for (int face = 0; face < face_count; ++face) {
-        const int axis = face / 2, side = sector.side[static_cast<std::size_t>(axis)];
-        const bool through = face % 2 == 0 ? side > 0 : side < 0;
-        if (through && domain.edges[static_cast<std::size_t>(face)] == Edge::rigid) continue;
-        const double wall = face % 2 == 0 ? domain.box.lower[axis] : domain.box.upper[axis];
-        nearest = std::min(nearest, std::abs(center[axis] - wall));
-    }
-    return nearest;
-}
-
 double distance_to_obstacles(const GasPlan& plan, const Structure& structure, const CaseDescription& description, const Vector3d& center)
 {
-    double nearest = distance_to_faces(plan.gas.domain, sector_of(plan.gas.domain, center), center);
+    double nearest = distance_to_faces(plan.gas.domain, center);
     const std::vector<Vector3d>& at = structure.nodes.position;
     for (const Facet& facet : structure.surface.facets)
         nearest = std::min(nearest, distance_to_triangle(center, {at[facet.node[0]], at[facet.node[1]], at[facet.node[2]]}));
@@ -107,22 +87,70 @@ void round_up(SphericalStart& start, const GasPlan& plan, double share)
 
 }  // namespace
 
-LoneCharge lone_charge(const GasPlan& plan, const CaseDescription& description, const std::string& who, const Place& place)
+double distance_to_box(const Vector3d& point, const Box& box)
 {
+    Vector3d away;
+    for (int axis = 0; axis < 3; ++axis) away[axis] = std::max({0.0, box.lower[axis] - point[axis], point[axis] - box.upper[axis]});
+    return norm(away);
+}
+
+double distance_to_faces(const Domain& domain, const Vector3d& center)
+{
+    const Sector sector = sector_of(domain, center);
+    double nearest = std::numeric_limits<double>::infinity();
+    for (int face = 0; face < face_count; ++face) {
+        const int axis = face / 2, side = sector.side[static_cast<std::size_t>(axis)];
+        const bool through = face % 2 == 0 ? side > 0 : side < 0;
+        if (through && domain.edges[static_cast<std::size_t>(face)] == Edge::rigid) continue;
+        const double wall = face % 2 == 0 ? domain.box.lower[axis] : domain.box.upper[axis];
+        nearest = std::min(nearest, std::abs(center[axis] - wall));
+    }
+    return nearest;
+}
+
+LoneCharge lone_charge(const CaseDescription& description, const std::string& who, const Place& place)
+{
+    const auto& fill = description.gas ? description.gas->fill : description.euler->fill;
     if (description.charges.size() != 1)
         throw InputError(fmt::format("{} with {} charges", who, description.charges.size()), "expected one [[charge]]", place);
-    if (!description.gas->fill) throw InputError(who + " without a gas all around", "expected fill = \"air\" in [gas]", place);
+    if (!fill)
+        throw InputError(who + " without a gas all around",
+                         fmt::format("expected fill = \"air\" in [{}]", description.gas ? "gas" : "euler"), place);
     const ChargeInput& input = description.charges.front();
     const SphereInput ball = ball_of(input, who);
-    const Charge& charge = plan.gas.charges.front();
-    if (charge.points.size() != 1 || norm(charge.points.front().point - ball.center) > 1e-6 * ball.radius)
+    const DetonationInput lit = input.detonation.empty() ? DetonationInput{ball.center, 0} : input.detonation.front();
+    if (input.detonation.size() > 1 || norm(lit.point - ball.center) > 1e-6 * ball.radius)
         throw InputError(who + " with a charge that is not lit at its center alone",
                          "expected one detonation point, at the center, or none", input.places.of("detonation"));
-    const AmbientGas& around = plan.gas.ambient;
-    const RadialCharge radial{
-        plan.gas.species[charge.species].law, charge.density, charge.energy_per_mass, charge.detonation_velocity, ball.radius,
-        plan.gas.species[around.species].law, around.density, around.pressure};
-    return {radial, ball.center, charge.points.front().time};
+    const ExplosiveValues& values = *input.explosive.values;
+    const GasState around = at_place(fill->place, [&] { return usual_state(*fill->values); });
+    const RadialCharge radial{make_law(values.law, values.density),
+                              values.density,
+                              values.energy_density / values.density,
+                              values.detonation_velocity,
+                              ball.radius,
+                              around.law,
+                              around.density,
+                              around.pressure};
+    return {radial, ball.center, lit.time};
+}
+
+FreeBlast solve_free_blast(const LoneCharge& lone, double obstacle, double end_time, const Place& place)
+{
+    FreeBlast blast;
+    blast.obstacle = obstacle;
+    const double least = 1.5 * lone.charge.radius / nearing;
+    if (obstacle < least)
+        throw InputError(
+            fmt::format("start = \"spherical\", but something the blast will meet is {:.4g} m from the charge's center", obstacle),
+            fmt::format("expected {:.4g} m or more, or no start", least), place);
+    RadialFlow flow = lay_charge(lone.charge, cells, obstacle);
+    run_until_near(flow, obstacle, end_time - lone.lit, place);
+    blast.time = lone.lit + flow.time();
+    blast.front = flow.edges()[flow.disturbed()];
+    blast.gas = {layers_of(flow, 0, flow.disturbed()), layers_of(flow, 1, flow.disturbed())};
+    for (RadialFill& fill : blast.gas) fill.center = lone.center;
+    return blast;
 }
 
 SphericalStart solve_spherical_start(const GasPlan& plan, const Structure& structure, const CaseDescription& description)
@@ -134,21 +162,11 @@ SphericalStart solve_spherical_start(const GasPlan& plan, const Structure& struc
     if (description.gas->collision == CollisionRule::hard_spheres)
         throw InputError(who + " with hard spheres, whose radius is that of the fills at time 0", "expected collision = \"displaced\"",
                          place);
-    const LoneCharge lone = lone_charge(plan, description, who, place);
-    SphericalStart start;
-    start.obstacle = distance_to_obstacles(plan, structure, description, lone.center);
-    const double least = 1.5 * lone.charge.radius / nearing;
-    if (start.obstacle < least)
-        throw InputError(fmt::format("{}, but something the blast will meet is {:.4g} m from the charge's center", who, start.obstacle),
-                         fmt::format("expected {:.4g} m or more, or no start", least), place);
-    RadialFlow flow = lay_charge(lone.charge, cells, start.obstacle);
-    run_until_near(flow, start.obstacle, description.end_time - lone.lit, place);
-    start.time = lone.lit + flow.time();
-    start.front = flow.edges()[flow.disturbed()];
-    start.gas = {layers_of(flow, 0, flow.disturbed()), layers_of(flow, 1, flow.disturbed())};
+    const LoneCharge lone = lone_charge(description, who, place);
+    const double obstacle = distance_to_obstacles(plan, structure, description, lone.center);
+    SphericalStart start{solve_free_blast(lone, obstacle, description.end_time, place)};
     start.gas[0].species = plan.gas.charges.front().species;
     start.gas[1].species = plan.gas.ambient.species;
-    for (RadialFill& fill : start.gas) fill.center = lone.center;
     round_up(start, plan, sector_of(plan.gas.domain, lone.center).share());
     return start;
 }

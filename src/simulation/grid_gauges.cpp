@@ -109,7 +109,9 @@ void GridGauges::sample_region(std::size_t index, double time, std::span<double>
     values[1] = impulse_[index];
     values[2] = now.density;
     values[3] = now.temperature;
-    for (int a = 0; a < 3; ++a) values[static_cast<std::size_t>(4 + a)] = now.velocity[a];
+    values[4] = now.velocity.x;
+    values[5] = now.velocity.y;
+    values[6] = now.velocity.z;
 }
 
 FieldSet GridGauges::state()

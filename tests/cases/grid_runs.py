@@ -118,6 +118,19 @@ def check_symmetries(folder):
         assert abs(arrival - wanted) < spread, (name, arrival, wanted)
 
 
+def check_start(folder):
+    """From the blast in one dimension, on rings, against the wall of the box: the run begins later, and goes on after an interrupt to the same bits."""
+    words = ["--quiet", "--set", "euler.start=spherical", "--set", 'euler.edges.x=["rigid", "rigid"]', "--set", "end_time=0.2 ms"]
+    execute(folder, "run", "rings.toml", "--out", "begun", *words, check=0)
+    begin = float(history_rows(folder / "begun")[0].split(",")[0])
+    assert 5e-5 < begin < 1.5e-4, begin  # 0.38 m at 3 to 7 km/s
+    assert "the run starts at" in execute(folder, "check", "rings.toml", *words[1:], check=0)[1]
+    (folder / "begun.toml").write_text((folder / "begun/case.resolved.toml").read_text())
+    assert interrupted_run(folder, "begun.toml", "half") == 130
+    execute(folder, "resume", "half", "--quiet", check=0)
+    assert history_rows(folder / "half") == history_rows(folder / "begun")
+
+
 def check_check(folder):
     said = execute(folder, "check", "case.toml", check=0)[1]
     for word in ["tnt (charge 1)", "0.125", "8000 cells: 20 x 20 x 20, each 20 x 20 x 20 mm", "memory about", "steps about", "warning: charge 1 is only", "the case is good"]:
@@ -126,7 +139,7 @@ def check_check(folder):
 
 
 def main():
-    return run_checks(GRID, [check_run, check_resolved_and_threads, check_interrupt, check_symmetries, check_check])
+    return run_checks(GRID, [check_run, check_resolved_and_threads, check_interrupt, check_symmetries, check_start, check_check])
 
 
 if __name__ == "__main__":

@@ -42,6 +42,12 @@ const Table& table_of<EulerInput>()
                   "state goes on unchanged beyond). With `axisymmetric`, x is the radius.",
                   "{ x = [\"rigid\", \"open\"], y = [\"rigid\", \"open\"] }"})
             .row("fill", &EulerInput::fill, {"", {}, "The gas all around, at its usual state (`corpuscle list gases`).", "\"air\""})
+            .row("start", &EulerInput::start,
+                 {"",
+                  {},
+                  "How the gases begin: `detonation` at time 0 with unburnt explosive; `spherical` when the blast of one ball of "
+                  "explosive, lit at its center and solved in one dimension until then, nears the first thing it meets.",
+                  "\"spherical\""})
             .row("cfl", &EulerInput::cfl,
                  {"", {0, 1, false, false}, "Time step, in the time that waves along all axes together take through a cell.", "0.8"})
             .row("sleep", &EulerInput::sleep,

@@ -22,6 +22,7 @@ struct EulerInput {
     std::vector<std::uint64_t> cells;        ///< along each of these axes
     EdgesInput edges;
     std::optional<Preset<GasValues>> fill;
+    StartRule start = StartRule::detonation;
     double cfl = EulerSettings{}.cfl;
     bool sleep = EulerSettings{}.skip_quiet;
     Places places;

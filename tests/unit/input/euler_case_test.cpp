@@ -2,9 +2,9 @@
 
 #include <gmock/gmock.h>
 
-#include "euler_case.hpp"
 #include "input/build.hpp"
 #include "model/grid_books.hpp"
+#include "unit/input/euler_case.hpp"
 
 using namespace corpuscle;
 using ::testing::HasSubstr;
