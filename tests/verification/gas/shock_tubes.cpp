@@ -132,7 +132,7 @@ TEST(ShockTubes, sods_comes_to_eulers_solution_with_the_order_of_diffusion)
     const ExactFlow exact = exact_flow(tube);
     std::array<TubeErrors, 3> errors;
     for (std::size_t i = 0; i < spacings.size(); ++i) {
-        Gas gas = filled_tube(tube, spacings[i], 300000);
+        Gas gas = filled_tube(tube, spacings[i], 400000);
         run_until(gas, tube.end_time);
         errors[i] = tube_errors(gas, tube, exact);
     }
