@@ -18,7 +18,7 @@ namespace corpuscle {
 namespace {
 
 constexpr std::uint32_t meeting_limit = 1000;  ///< meetings of a sphere in a step; what comes after is left to the next step
-constexpr std::size_t groups_per_chunk = 64;
+constexpr std::size_t sphere_groups_per_chunk = 64;
 constexpr std::size_t spheres_per_chunk = 1024;
 
 bool takes_part(const Particle& particle)
@@ -398,9 +398,9 @@ double virial_pressure(const Gas& gas, std::size_t species, double density, doub
 
 void survey_hard_spheres(Gas& gas)
 {
-    const std::size_t groups = gas.cells.groups.size(), chunks = (groups + groups_per_chunk - 1) / groups_per_chunk;
+    const std::size_t groups = gas.cells.groups.size(), chunks = (groups + sphere_groups_per_chunk - 1) / sphere_groups_per_chunk;
     const double longest = minimum(chunks, std::numeric_limits<double>::infinity(), [&](std::size_t c) {
-        return group_step(gas, c * groups_per_chunk, std::min(groups, (c + 1) * groups_per_chunk));
+        return group_step(gas, c * sphere_groups_per_chunk, std::min(groups, (c + 1) * sphere_groups_per_chunk));
     });
     gas.step_limit = gas.settings.cfl * longest;
 }

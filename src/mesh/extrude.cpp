@@ -11,13 +11,13 @@ namespace corpuscle {
 
 namespace {
 
-constexpr double max_elements = 2e7;
+constexpr double max_solids = 2e7;
 
 void require_sweepable(const Mesh& surface, const Vector3d& way, int layers)
 {
     if (layers < 1) throw InputError(fmt::format("{} layers were asked for", layers), "give at least 1 layer");
     if (!(norm(way) > 0) || !std::isfinite(norm(way))) throw InputError("the height of an extruded mesh is 0", "give a length above 0");
-    if (static_cast<double>(surface.elements.size()) * layers > max_elements)
+    if (static_cast<double>(surface.elements.size()) * layers > max_solids)
         throw InputError(fmt::format("a mesh of {} layers of {} elements was asked for", layers, surface.elements.size()),
                          "give fewer layers or a larger element_size");
     for (std::size_t e = 0; e < surface.elements.size(); ++e)
