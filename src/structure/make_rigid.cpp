@@ -96,7 +96,7 @@ MassPoints element_masses(const PartDescription& d)
     return points;
 }
 
-[[noreturn]] void refuse(const PartDescription& d, const std::string& problem, const std::string& remedy)
+[[noreturn]] void refuse_body(const PartDescription& d, const std::string& problem, const std::string& remedy)
 {
     throw InputError(fmt::format("part '{}': {}", d.name, problem), remedy, d.place);
 }
@@ -117,8 +117,9 @@ Vector3d freedom(const PartDescription& d, Directions Hold::* kind)
     for (int a = 0; a < 3; ++a) {
         const auto count = static_cast<std::size_t>(std::count(held[a].begin(), held[a].end(), true));
         if (count != 0 && count != d.mesh.nodes.size())
-            refuse(d, fmt::format("a rigid part that moves has {} of its {} nodes held along {}", count, d.mesh.nodes.size(), "xyz"[a]),
-                   "hold all of a rigid part's nodes in a direction, or none: where = \"all\"");
+            refuse_body(d,
+                        fmt::format("a rigid part that moves has {} of its {} nodes held along {}", count, d.mesh.nodes.size(), "xyz"[a]),
+                        "hold all of a rigid part's nodes in a direction, or none: where = \"all\"");
         free[a] = count == 0 ? 1.0 : 0.0;
     }
     return free;
@@ -137,9 +138,9 @@ bool has_weight(const PartDescription& d)
 RigidBody make_rigid_body(const PartDescription& d)
 {
     if (!has_weight(d))
-        refuse(d, "a rigid part that can move has no mass",
-               "give it a mass, or a material and (unless it is solid) a thickness; or hold the whole part: "
-               "fix = [{ where = \"all\", dof = \"all\" }]");
+        refuse_body(d, "a rigid part that can move has no mass",
+                    "give it a mass, or a material and (unless it is solid) a thickness; or hold the whole part: "
+                    "fix = [{ where = \"all\", dof = \"all\" }]");
     MassPoints points = element_masses(d);
     if (d.rigid.mass) {
         double sum = 0;
