@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <experimental/simd>
 
 namespace corpuscle {
@@ -23,6 +24,13 @@ inline Lanes load_lanes(const double* values)
 inline void store_lanes(const Lanes& lanes, double* values)
 {
     lanes.copy_to(values, std::experimental::element_aligned);
+}
+
+/// Asks memory for so many bytes that will be read and written soon.
+inline void prefetch(const void* first, std::size_t bytes)
+{
+    constexpr std::size_t line = 64;
+    for (std::size_t at = 0; at < bytes; at += line) __builtin_prefetch(static_cast<const char*>(first) + at, 1);
 }
 
 /// Lane by lane: `yes` where the mask is set, else `no`.

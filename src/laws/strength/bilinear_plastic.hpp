@@ -52,12 +52,14 @@ struct BilinearPlastic {
         const Real yield = yield_of(point);
         const auto plastic = trial.squared() > yield * yield;
         constexpr int most_steps = 100;
+        constexpr double last_step = 1e-6;  // of the flow: the error falls by squares, so after it nothing is left but rounding
         Real flow = 0.0;
+        Flowed<Real> state = at_rest(trial);
         for (int i = 0; i < most_steps; ++i) {
-            const Flowed<Real> state = flowed(trial, flow);
             const Real step = select(plastic, rate_constant > 0 ? rate_step(yield, state, duration) : plain_step(yield, state), Real(0.0));
             flow = flow + step;
-            if (!any(magnitude(step) > 1e-9 * flow)) break;
+            if (!any(magnitude(step) > last_step * flow)) break;
+            state = flowed(trial, flow);
         }
         return flow;
     }

@@ -35,6 +35,14 @@ template <class Real>
     return {equivalent, slope, (2.0 / 3.0) * flow * equivalent, (2.0 / 3.0) * (equivalent + flow * slope)};
 }
 
+/// The same for no flow.
+template <class Real>
+[[gnu::always_inline]] inline Flowed<Real> at_rest(const FlowTrial<Real>& trial)
+{
+    const Real equivalent = square_root(trial.squared() + 1e-30);
+    return {equivalent, -(trial.sum_rate * trial.sum_part + trial.rest_rate * trial.rest_part) / equivalent, 0.0, (2.0 / 3.0) * equivalent};
+}
+
 namespace mises {
 
 template <class Real>

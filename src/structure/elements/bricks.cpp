@@ -115,7 +115,7 @@ void Bricks::resist_block(const Law& law, const Nodes& nodes, double duration, s
 {
     if (blocks_.gone(b)) return;
     const auto* corners = &corners_[b * lane_count];
-    double* own = blocks_.block(b);
+    Lanes* own = blocks_.block(b);
     const Modes end = modes_of(gather_left(blocks_, b, nodes.position, nodes.reference, corners));
     const Modes move = modes_of(gather_way(blocks_, b, nodes.velocity, duration, corners));
     const Modes middle = halfway(end, move);
@@ -148,7 +148,7 @@ void Bricks::resist_block(const Law& law, const Nodes& nodes, double duration, s
 /// elastic ones yield as the material does (`strength` [Pa]): an hourglass strain beyond the yield strain makes no more force, or it would
 /// hold a body together that flows.
 Bricks::Hourglass Bricks::resist_hourglass(const Gradient& g, const Modes& place, const Modes& move, const Gradient3<Lanes>& gradient,
-                                           const Lanes& strength, double duration, double* own) const
+                                           const Lanes& strength, double duration, Lanes* own) const
 {
     const Vector* shapes[] = {&place.yz, &place.zx, &place.xy, &place.twist};
     const Vector* moves[] = {&move.yz, &move.zx, &move.xy, &move.twist};

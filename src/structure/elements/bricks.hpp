@@ -41,7 +41,7 @@ private:
     template <class Law>
     void resist_block(const Law& law, const Nodes& nodes, double duration, std::size_t b, std::span<CornerLoad> loads);
     Hourglass resist_hourglass(const HexGradient<Lanes>& g, const HexModes<Lanes>& place, const HexModes<Lanes>& move,
-                               const Gradient3<Lanes>& gradient, const Lanes& strength, double duration, double* own) const;
+                               const Gradient3<Lanes>& gradient, const Lanes& strength, double duration, Lanes* own) const;
     [[nodiscard]] Lanes allowed_step(const HexGradient<Lanes>& g, const Lanes& mass, const Lanes& bulk) const;
 
     std::vector<std::array<std::uint32_t, 8>> corners_;  ///< whole blocks

@@ -10,7 +10,7 @@ namespace corpuscle {
 ElementBlocks::ElementBlocks(std::size_t elements, int slots) : size_(elements), slots_(slots)
 {
     const std::size_t padded = (elements + lane_count - 1) / lane_count * lane_count;
-    data_.assign(static_cast<std::size_t>(slots) * padded, 0.0);
+    data_.assign(static_cast<std::size_t>(slots) * (padded / lane_count), Lanes(0.0));
     left_.assign(padded, 1.0);
     transit_.assign(padded, 0.0);
 }

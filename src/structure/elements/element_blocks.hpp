@@ -22,15 +22,14 @@ public:
 
     [[nodiscard]] std::size_t size() const { return size_; }
     [[nodiscard]] std::size_t block_count() const { return left_.size() / lane_count; }
-    [[nodiscard]] double* block(std::size_t b) { return data_.data() + b * block_size(); }
-    [[nodiscard]] const double* block(std::size_t b) const { return data_.data() + b * block_size(); }
-    [[nodiscard]] double slot(std::size_t element, int s) const
+    [[nodiscard]] Lanes* block(std::size_t b) { return data_.data() + b * block_size(); }
+    [[nodiscard]] const Lanes* block(std::size_t b) const { return data_.data() + b * block_size(); }
+    [[nodiscard]] double slot(std::size_t element, int s) const { return block(element / lane_count)[s][element % lane_count]; }
+    void set_slot(std::size_t element, int s, double value) { block(element / lane_count)[s][element % lane_count] = value; }
+    /// Asks memory for the numbers of a block that comes soon: waiting for them would cost as much as a third of the arithmetic.
+    void fetch_ahead(std::size_t b) const
     {
-        return block(element / lane_count)[static_cast<std::size_t>(s) * lane_count + element % lane_count];
-    }
-    void set_slot(std::size_t element, int s, double value)
-    {
-        block(element / lane_count)[static_cast<std::size_t>(s) * lane_count + element % lane_count] = value;
+        if (b < block_count()) prefetch(block(b), block_size() * sizeof(Lanes));
     }
 
     /// Whether an element is still there. Eroded ones keep their last numbers, feel nothing and resist nothing.
@@ -53,11 +52,11 @@ public:
     std::vector<Field> state(const std::string& prefix, const std::string& noun);
 
 private:
-    [[nodiscard]] std::size_t block_size() const { return static_cast<std::size_t>(slots_) * lane_count; }
+    [[nodiscard]] std::size_t block_size() const { return static_cast<std::size_t>(slots_); }
 
     std::size_t size_ = 0;
     int slots_ = 0;                ///< numbers an element keeps
-    std::vector<double> data_;     ///< by block, number, lane
+    std::vector<Lanes> data_;      ///< by block and number
     std::vector<double> left_;     ///< 1 or 0, whole blocks
     std::vector<double> transit_;  ///< of each element [s]; infinite where eroded
     double stable_step_ = 0;       ///< [s]
@@ -82,22 +81,22 @@ protected:
 };
 
 /// A number of each element of a block.
-inline Lanes load_slot(const double* own, int slot)
+inline Lanes load_slot(const Lanes* own, int slot)
 {
-    return load_lanes(own + slot * lane_count);
+    return own[slot];
 }
 
-inline void store_slot(double* own, int slot, const Lanes& value)
+inline void store_slot(Lanes* own, int slot, const Lanes& value)
 {
-    store_lanes(value, own + slot * lane_count);
+    own[slot] = value;
 }
 
-inline Vector3<Lanes> load_vector(const double* own, int slot)
+inline Vector3<Lanes> load_vector(const Lanes* own, int slot)
 {
     return {load_slot(own, slot), load_slot(own, slot + 1), load_slot(own, slot + 2)};
 }
 
-inline void store_vector(double* own, int slot, const Vector3<Lanes>& v)
+inline void store_vector(Lanes* own, int slot, const Vector3<Lanes>& v)
 {
     store_slot(own, slot, v.x);
     store_slot(own, slot + 1, v.y);
@@ -177,6 +176,42 @@ void write_loads(const ElementBlocks& blocks, std::size_t b, const LaneCorners<N
             loads[N * (first + lane) + corner] = {{side[0][lane], side[1][lane], side[2][lane]},
                                                   {side[3][lane], side[4][lane], side[5][lane]}};
     }
+}
+
+/// A load of each element of a block, side by side.
+struct LaneLoad {
+    Vector3<Lanes> force, moment;
+};
+
+/// The loads of one corner of a block's elements, `stride` loads apart; of less than a whole block the last stands for the missing ones.
+inline LaneLoad load_side_by_side(const CornerLoad* loads, std::size_t stride, std::size_t lanes)
+{
+    alignas(64) double side[6][lane_count];
+    for (std::size_t lane = 0; lane < lane_count; ++lane) {
+        const CornerLoad& load = loads[stride * std::min(lane, lanes - 1)];
+        for (int axis = 0; axis < 3; ++axis) {
+            side[axis][lane] = load.force[axis];
+            side[3 + axis][lane] = load.moment[axis];
+        }
+    }
+    return {{load_lanes(side[0]), load_lanes(side[1]), load_lanes(side[2])},
+            {load_lanes(side[3]), load_lanes(side[4]), load_lanes(side[5])}};
+}
+
+/// Writes the loads of `write_loads` and returns the work that the mean of the old and new ones does on the elements while their corners
+/// move and turn. [J]
+template <std::size_t N>
+Lanes exchange_loads(const ElementBlocks& blocks, std::size_t b, const LaneCorners<N>& forces, const LaneCorners<N>& moments,
+                     const LaneCorners<N>& moves, const LaneCorners<N>& turns, CornerLoad* loads)
+{
+    const std::size_t first = b * lane_count, lanes = std::min<std::size_t>(lane_count, blocks.size() - first);
+    Lanes twice = 0.0;
+    for (std::size_t corner = 0; corner < N; ++corner) {
+        const LaneLoad before = load_side_by_side(loads + N * first + corner, N, lanes);
+        twice = twice + dot(forces[corner] - before.force, moves[corner]) + dot(moments[corner] - before.moment, turns[corner]);
+    }
+    write_loads(blocks, b, forces, &moments, loads);
+    return 0.5 * twice;
 }
 
 /// Repeats the last element until the elements fill whole blocks.

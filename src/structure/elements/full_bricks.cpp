@@ -160,7 +160,7 @@ void FullBricks::resist_block(const Law& law, const Nodes& nodes, double duratio
 {
     if (blocks_.gone(b)) return;
     const auto* corners = &corners_[b * lane_count];
-    double* own = blocks_.block(b);
+    Lanes* own = blocks_.block(b);
     const Modes end = modes_of(gather_left(blocks_, b, nodes.position, nodes.reference, corners));
     const Modes move = modes_of(gather_way(blocks_, b, nodes.velocity, duration, corners));
     const Lanes viscous = stretch_points(law, halfway(end, move), move, duration, own);
@@ -184,7 +184,7 @@ void FullBricks::resist_block(const Law& law, const Nodes& nodes, double duratio
 
 /// New stresses of the points, each turned by its own spin; the growth of volume is the element's. Returns the viscous pressure. [Pa]
 template <class Law>
-Lanes FullBricks::stretch_points(const Law& law, const Modes& place, const Modes& move, double duration, double* own)
+Lanes FullBricks::stretch_points(const Law& law, const Modes& place, const Modes& move, double duration, Lanes* own)
 {
     const HexGradient<Lanes> mean = gradient_of(place);
     const Lanes growth = volume_strain(mean_gradient(mean, move).strain());

@@ -38,7 +38,7 @@ private:
     template <class Law>
     void resist_block(const Law& law, const Nodes& nodes, double duration, std::size_t b, std::span<CornerLoad> loads);
     template <class Law>
-    Lanes stretch_points(const Law& law, const HexModes<Lanes>& place, const HexModes<Lanes>& move, double duration, double* own);
+    Lanes stretch_points(const Law& law, const HexModes<Lanes>& place, const HexModes<Lanes>& move, double duration, Lanes* own);
     [[nodiscard]] Lanes allowed_step(const HexModes<Lanes>& place, const Lanes& mass, const Lanes& bulk) const;
 
     std::vector<std::array<std::uint32_t, 8>> corners_;  ///< whole blocks

@@ -91,14 +91,14 @@ Point read_point(const Law& law, const Read& read, int first)
 
 /// A point of each element of a block, whose numbers begin at slot `first`.
 template <class Point, class Law>
-Point load_point(const Law& law, const double* own, int first)
+Point load_point(const Law& law, const Lanes* own, int first)
 {
     return read_point<Point>(law, [own](int slot) { return load_slot(own, slot); }, first);
 }
 
 /// Puts the points' numbers where `load_point` finds them.
 template <class Law, class Point>
-void store_point(const Law& law, const Point& p, double* own, int first)
+void store_point(const Law& law, const Point& p, Lanes* own, int first)
 {
     const auto write = [own](int slot, const Lanes& number) { store_slot(own, slot, number); };
     int slot = write_stress(p.stress, write, first);

@@ -18,8 +18,7 @@ enum Slot : int {
     slot_work = 9,             ///< done on the element by its corners [J]
     slot_hourglass_work = 10,  ///< [J]
     slot_plastic_work = 11,    ///< [J]
-    slot_loads = 12,           ///< modal loads on the corners, global axes: forces s, t, twist; moments mean, s, t, twist
-    slot_points = 33,
+    slot_points = 12,
 };
 
 using LaneFrame = QuadFrame<Lanes>;
@@ -30,20 +29,6 @@ LaneModes halfway(const LaneModes& end, const LaneModes& move)
 {
     const Lanes half = 0.5;
     return {end.mean - move.mean * half, end.s - move.s * half, end.t - move.t * half, end.twist - move.twist * half};
-}
-
-/// Work of the mean of old and new modal loads on a motion; keeps the new ones. Forces have no mean mode.
-Lanes exchange_work(double* own, const ShellLoad<Lanes>& load, const LaneModes& move, const LaneModes& turn)
-{
-    const Vector3<Lanes>* loads[] = {&load.force.s,  &load.force.t,  &load.force.twist, &load.moment.mean,
-                                     &load.moment.s, &load.moment.t, &load.moment.twist};
-    const Vector3<Lanes>* moves[] = {&move.s, &move.t, &move.twist, &turn.mean, &turn.s, &turn.t, &turn.twist};
-    Lanes twice = 0.0;
-    for (int i = 0; i < 7; ++i) {
-        twice = twice + dot(*loads[i] + load_vector(own, slot_loads + 3 * i), *moves[i]);
-        store_vector(own, slot_loads + 3 * i, *loads[i]);
-    }
-    return 0.5 * twice;
 }
 
 /// Square of the highest membrane frequency over 4 * plane modulus * area * thickness / mass: exact for a one-point element, in
@@ -129,10 +114,12 @@ void QuadrilateralShells::resist_block(const Law& law, const Nodes& nodes, doubl
 {
     const std::array<std::uint32_t, 4>* corners = &corners_[b * lane_count];
     if (blocks_.gone(b)) return;
-    double* own = blocks_.block(b);
+    blocks_.fetch_ahead(b + 1);
+    Lanes* own = blocks_.block(b);
     const LaneModes end = modes_of(gather_left(blocks_, b, nodes.position, nodes.reference, corners));
-    const LaneModes move = modes_of(gather_way(blocks_, b, nodes.velocity, duration, corners));
-    const LaneModes turn = modes_of(gather_way(blocks_, b, nodes.angular_velocity, duration, corners));
+    const LaneCorners<4> moves = gather_way(blocks_, b, nodes.velocity, duration, corners);
+    const LaneCorners<4> turns = gather_way(blocks_, b, nodes.angular_velocity, duration, corners);
+    const LaneModes move = modes_of(moves), turn = modes_of(turns);
 
     const LaneFrame middle = frame_of(halfway(end, move));
     const LaneModes local_move = middle.to_local(move), local_turn = middle.to_local(turn);
@@ -143,17 +130,15 @@ void QuadrilateralShells::resist_block(const Law& law, const Nodes& nodes, doubl
     for (Lanes* r : {&result.xx, &result.yy, &result.xy, &result.bend_xx, &result.bend_yy, &result.bend_xy, &result.zx, &result.yz})
         *r = *r * frame.area;
     const ShellLoad<Lanes> local = load_of(frame, result, hourglass);
-    const ShellLoad<Lanes> load{frame.to_global(local.force), frame.to_global(local.moment)};
-    const Lanes total = load_slot(own, slot_work) + exchange_work(own, load, move, turn);
+    const LaneCorners<4> forces = corners_of(frame.to_global(local.force)), moments = corners_of(frame.to_global(local.moment));
+    const Lanes total = load_slot(own, slot_work) + exchange_loads(blocks_, b, forces, moments, moves, turns, loads.data());
     store_slot(own, slot_work, total);
-    const LaneCorners<4> moments = corners_of(load.moment);
-    write_loads(blocks_, b, corners_of(load.force), &moments, loads.data());
     blocks_.set_transit(b, allowed_step(frame, own) + 0.0 * total);  // not a number if either is not
 }
 
 /// Forces against the hourglass modes: elastic ones that remember, and viscous ones; counts their work.
 ShellHourglass<Lanes> QuadrilateralShells::resist_hourglass(const QuadFrame<Lanes>& f, const ShellHourglass<Lanes>& change, double duration,
-                                                            double* own) const
+                                                            Lanes* own) const
 {
     const Lanes thickness = load_slot(own, slot_thickness);
     const GradientSum<Lanes> g = gradient_sum(f);
@@ -180,7 +165,7 @@ ShellHourglass<Lanes> QuadrilateralShells::resist_hourglass(const QuadFrame<Lane
 }
 
 /// 2 / (highest frequency): of plate waves, of bending where the thickness has grown, of transverse shear. [s]
-Lanes QuadrilateralShells::allowed_step(const QuadFrame<Lanes>& f, const double* own) const
+Lanes QuadrilateralShells::allowed_step(const QuadFrame<Lanes>& f, const Lanes* own) const
 {
     const Lanes thickness = load_slot(own, slot_thickness), gyration_now = load_slot(own, slot_gyration);
     const GradientSum<Lanes> g = gradient_sum(f);

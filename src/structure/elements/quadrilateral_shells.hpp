@@ -44,8 +44,8 @@ private:
     template <class Law>
     void resist_block(const Law& law, const Nodes& nodes, double duration, std::size_t b, std::span<CornerLoad> loads);
     ShellHourglass<Lanes> resist_hourglass(const QuadFrame<Lanes>& frame, const ShellHourglass<Lanes>& change, double duration,
-                                           double* own) const;
-    [[nodiscard]] Lanes allowed_step(const QuadFrame<Lanes>& frame, const double* own) const;
+                                           Lanes* own) const;
+    [[nodiscard]] Lanes allowed_step(const QuadFrame<Lanes>& frame, const Lanes* own) const;
 
     std::vector<std::array<std::uint32_t, 4>> corners_;  ///< whole blocks: the last element is repeated to fill its block
     ShellSection section_;

@@ -54,7 +54,7 @@ public:
     /// New stresses of the points and the new thickness; returns forces and moments per area. Counts the plastic work of the element's
     /// `area` in the middle of the step.
     template <class Law>
-    ShellResultant<Lanes> stretch(const Law& law, const ShellStrain<Lanes>& strain, const Lanes& area, double duration, double* own) const;
+    ShellResultant<Lanes> stretch(const Law& law, const ShellStrain<Lanes>& strain, const Lanes& area, double duration, Lanes* own) const;
 
     /// Stress and history of one point.
     [[nodiscard]] PlanePoint<double> point(const ElementBlocks& blocks, std::size_t element, int p) const
@@ -76,7 +76,7 @@ private:
 
 template <class Law>
 ShellResultant<Lanes> ShellSection::stretch(const Law& law, const ShellStrain<Lanes>& strain, const Lanes& area, double duration,
-                                            double* own) const
+                                            Lanes* own) const
 {
     const Lanes thickness = load_slot(own, slots_.thickness);
     const Lanes half_thickness = 0.5 * thickness;

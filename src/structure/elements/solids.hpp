@@ -133,7 +133,7 @@ void heat_by_viscosity(SolidPoint<Lanes>& point, const Lanes& pressure, const La
 
 /// Work of the mean of old and new loads on a motion; keeps the new ones from slot `first`. [J]
 template <std::size_t N>
-Lanes exchange_work(double* own, int first, const std::array<const Vector3<Lanes>*, N>& loads,
+Lanes exchange_work(Lanes* own, int first, const std::array<const Vector3<Lanes>*, N>& loads,
                     const std::array<const Vector3<Lanes>*, N>& moves)
 {
     Lanes twice = 0.0;

@@ -167,7 +167,7 @@ void Tetrahedra::stretch_block(const Law& law, const Nodes& nodes, double durati
 {
     if (blocks_.gone(b)) return store_lanes(0.0, &amount_[b * lane_count]);
     const auto* corners = &corners_[b * lane_count];
-    double* own = blocks_.block(b);
+    Lanes* own = blocks_.block(b);
     const Corners end = gather_left(blocks_, b, nodes.position, nodes.reference, corners);
     const Corners move = gather_way(blocks_, b, nodes.velocity, duration, corners);
     const TetGradient g(halfway(end, move));
@@ -196,7 +196,7 @@ void Tetrahedra::load_block(const Law& law, const Nodes& nodes, double duration,
 {
     if (blocks_.gone(b)) return;
     const auto* corners = &corners_[b * lane_count];
-    double* own = blocks_.block(b);
+    Lanes* own = blocks_.block(b);
     const Corners end = gather_left(blocks_, b, nodes.position, nodes.reference, corners);
     const Corners move = gather_way(blocks_, b, nodes.velocity, duration, corners);
     const SolidPoint<Lanes> point = load_point<SolidPoint<Lanes>>(law, own, slot_point);

@@ -128,7 +128,7 @@ TriangleShells::TriangleShells(ShellInput<3> input, const Material& material, co
     fill_blocks(corners_);
     fill_blocks(input.thickness);
     for (std::size_t b = 0; b < blocks_.block_count(); ++b) {
-        double* own = blocks_.block(b);
+        Lanes* own = blocks_.block(b);
         const Corners place = gather(nodes.reference, &corners_[b * lane_count]);
         const Vector edge = place[1] - place[0], other = place[2] - place[0], across = cross(edge, other);
         const Lanes length = square_root(dot(edge, edge)), twice_area = square_root(dot(across, across));
@@ -152,7 +152,7 @@ CornerMass TriangleShells::corner_mass(std::size_t element) const
 }
 
 /// The axes: first edge and normal, turned in the plane so that the deformation since meshing is free of rotation in them.
-TriangleShells::Frame TriangleShells::frame_of(const Corners& place, const double* own) const
+TriangleShells::Frame TriangleShells::frame_of(const Corners& place, const Lanes* own) const
 {
     Frame f;
     const Vector edge = place[1] - place[0], other = place[2] - place[0], across = cross(edge, other);
@@ -195,7 +195,7 @@ void TriangleShells::resist_block(const Law& law, const Nodes& nodes, double dur
 {
     if (blocks_.gone(b)) return;
     const auto* corners = &corners_[b * lane_count];
-    double* own = blocks_.block(b);
+    Lanes* own = blocks_.block(b);
     const Corners end = gather_left(blocks_, b, nodes.position, nodes.reference, corners);
     const Corners move = gather_way(blocks_, b, nodes.velocity, duration, corners);
     const Corners turn = gather_way(blocks_, b, nodes.angular_velocity, duration, corners);
@@ -254,7 +254,7 @@ void TriangleShells::resist_block(const Law& law, const Nodes& nodes, double dur
 }
 
 /// Elastic force that remembers, against the shear that runs round the edges; counts its work. [N]
-Lanes TriangleShells::resist_circulation(const Lanes& change, double* own) const
+Lanes TriangleShells::resist_circulation(const Lanes& change, Lanes* own) const
 {
     const Lanes stiffness =
         hourglass_.shear * section_.shear_factor * section_.stiffness.shear() * (1.0 / 3.0) * load_slot(own, slot_thickness);
@@ -277,7 +277,7 @@ Lanes TriangleShells::gyration(const Frame& f, const Lanes& thickness) const
 }
 
 /// 2 / (a bound of the highest frequency): of plate waves, of bending where the thickness has grown, of transverse shear. [s]
-Lanes TriangleShells::allowed_step(const Frame& f, const double* own) const
+Lanes TriangleShells::allowed_step(const Frame& f, const Lanes* own) const
 {
     const Lanes thickness = load_slot(own, slot_thickness), gyration_now = load_slot(own, slot_gyration);
     const GradientSum<Lanes> g = f.gradients();

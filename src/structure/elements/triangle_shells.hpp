@@ -45,12 +45,12 @@ private:
     struct Frame;
     using Corners = LaneCorners<3>;
 
-    [[nodiscard]] Frame frame_of(const Corners& place, const double* own) const;
+    [[nodiscard]] Frame frame_of(const Corners& place, const Lanes* own) const;
     template <class Law>
     void resist_block(const Law& law, const Nodes& nodes, double duration, std::size_t b, std::span<CornerLoad> loads);
-    Lanes resist_circulation(const Lanes& change, double* own) const;
+    Lanes resist_circulation(const Lanes& change, Lanes* own) const;
     [[nodiscard]] Lanes gyration(const Frame& f, const Lanes& thickness) const;
-    [[nodiscard]] Lanes allowed_step(const Frame& f, const double* own) const;
+    [[nodiscard]] Lanes allowed_step(const Frame& f, const Lanes* own) const;
 
     std::vector<std::array<std::uint32_t, 3>> corners_;  ///< whole blocks
     ShellSection section_;
