@@ -58,7 +58,9 @@ void print_grid(const EulerPlan& plan)
     for (std::size_t d = 0; d < 3; ++d) {
         if (plan.faces[d].empty()) continue;
         counts += fmt::format("{}{}", counts.empty() ? "" : " x ", plan.cells_along(d));
-        widths += fmt::format("{}{:.4g}", widths.empty() ? "" : " x ", 1e3 * (plan.faces[d][1] - plan.faces[d][0]));
+        const auto [least, most] = plan.widths(d);
+        widths += widths.empty() ? "" : " x ";
+        widths += most < (1 + 1e-9) * least ? fmt::format("{:.4g}", 1e3 * least) : fmt::format("{:.4g}-{:.4g}", 1e3 * least, 1e3 * most);
     }
     fmt::print("{} cells: {}, each {} mm\n", plan.cells(), counts, widths);
     if (plan.start) print_start(*plan.start);

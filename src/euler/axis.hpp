@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -29,7 +30,11 @@ struct EulerAxis {
 /// Faces of `cells` equal cells from `lower` to `upper` [m].
 [[nodiscard]] std::vector<double> even_faces(double lower, double upper, std::size_t cells);
 
-/// Faces from `from` to `to` [m] whose cells begin with width `first` and grow, each by the same ratio, towards about `last`.
+/// Faces from `from` to `to` [m], below or above it, whose cells begin with width `first` and grow, each by the same ratio, towards about
+/// `last`; they descend if `to` lies below `from`.
 [[nodiscard]] std::vector<double> graded_faces(double from, double to, double first, double last);
+
+/// Faces from `lower` to `upper` [m]: equal cells of about `size` within `fine`, and on either side cells that grow towards about `last`.
+[[nodiscard]] std::vector<double> faces_with_fine_part(double lower, double upper, std::array<double, 2> fine, double size, double last);
 
 }  // namespace corpuscle

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "input/grid_gauges.hpp"
+#include "input/known_blast.hpp"
 #include "input/placed.hpp"
 
 namespace corpuscle {
@@ -127,6 +128,7 @@ std::unique_ptr<Model> build(const CaseDescription& description, CaseSurvey& sur
     if (survey.euler) model->euler = at_place(description.euler->places.own, [&] { return fill_grid(*survey.euler); });
     for (const GaugeInput& gauge : description.gauges)
         model->gauges.push_back(survey.euler ? make_grid_gauge(gauge, model->euler) : make_gauge(gauge, *model));
+    model->known_blast = known_blast(description);
     return model;
 }
 

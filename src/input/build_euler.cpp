@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 
 #include <fmt/format.h>
@@ -66,12 +67,48 @@ void check_edges(const EulerInput& input)
                          input.places.of("edges"));
 }
 
+/// Faces of the cells of an axis with a fine part.
+std::vector<double> faces_along(const EulerInput& input, std::size_t axis)
+{
+    const auto& [lower, upper] = input.box[axis];
+    return faces_with_fine_part(lower, upper, input.fine_box[axis], *input.cell_size, *input.edge_cell_size);
+}
+
 /// Cells along an axis: as many as asked for, or of about the size asked for.
 std::uint64_t cells_along(const EulerInput& input, std::size_t axis)
 {
     if (!input.cell_size) return input.cells[axis];
+    if (!input.fine_box.empty()) {
+        const auto& fine = input.fine_box[axis];
+        const double in_fine = (fine[1] - fine[0]) / *input.cell_size;
+        return in_fine > 1e6 ? most_cells : faces_along(input, axis).size() - 1;
+    }
     const double count = std::round((input.box[axis][1] - input.box[axis][0]) / *input.cell_size);
     return count < 1 ? 1 : count > 1e6 ? most_cells : static_cast<std::uint64_t>(count);
+}
+
+/// Refuses a fine part of the grid that is not one.
+void check_fine_box(const EulerInput& input)
+{
+    if (input.fine_box.empty() && !input.edge_cell_size) return;
+    const Place& place = input.places.of(input.fine_box.empty() ? "edge_cell_size" : "fine_box");
+    if (input.fine_box.empty() || !input.edge_cell_size || !input.cell_size)
+        throw InputError("fine_box, cell_size and edge_cell_size go together", "expected all three, or none of fine_box and edge_cell_size",
+                         place);
+    const std::vector<std::string> axes = axes_of(input.symmetry);
+    if (input.fine_box.size() != axes.size())
+        throw InputError(fmt::format("fine_box has {} ranges, the box has {}", input.fine_box.size(), axes.size()),
+                         "expected a range for each of the box's", place);
+    for (std::size_t axis = 0; axis < axes.size(); ++axis) {
+        const auto &fine = input.fine_box[axis], &box = input.box[axis];
+        check_ascends(fine[0], fine[1], axes[axis], place);
+        if (fine[0] < box[0] || fine[1] > box[1])
+            throw InputError(fmt::format("fine_box runs from {} m to {} m along {}, out of the box", fine[0], fine[1], axes[axis]),
+                             fmt::format("expected it within {} m and {} m", box[0], box[1]), place);
+    }
+    if (*input.edge_cell_size < *input.cell_size)
+        throw InputError(fmt::format("edge_cell_size, {} m, is below cell_size, {} m", *input.edge_cell_size, *input.cell_size),
+                         "expected wider cells at the edges", input.places.of("edge_cell_size"));
 }
 
 void cut_axes(EulerPlan& plan, const EulerInput& input)
@@ -88,7 +125,8 @@ void cut_axes(EulerPlan& plan, const EulerInput& input)
         if (count == 2 || count == 3)
             throw InputError(fmt::format("{} cells along {}: too few for a flow", count, axes_of(input.symmetry)[axis]),
                              "expected 4 or more, or 1 where nothing flows", place);
-        plan.faces[axis] = even_faces(input.box[axis][0], input.box[axis][1], count);
+        const auto& [lower, upper] = input.box[axis];
+        plan.faces[axis] = input.fine_box.empty() ? even_faces(lower, upper, count) : faces_along(input, axis);
     }
 }
 
@@ -216,14 +254,24 @@ void add_charge(EulerPlan& plan, const ChargeInput& input, const CaseDescription
     });
 }
 
+/// Width of the widest cell that reaches into a box of space [m].
+double widest_cell(const EulerPlan& plan, const Box& box)
+{
+    double widest = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (!plan.live(axis)) continue;
+        const int of_space = plan.space == EulerSpace::axisymmetric && axis == 1 ? 2 : static_cast<int>(axis);
+        widest = std::max(widest, plan.widths(axis, box.lower[of_space], box.upper[of_space])[1]);
+    }
+    return widest;
+}
+
 /// Says where a charge is no more than some cells wide: its products then come out too thin.
 void warn_of_coarse_cells(const EulerPlan& plan, std::vector<std::string>& warnings)
 {
     constexpr double wanted = 8;
-    double widest = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        if (plan.live(axis)) widest = std::max(widest, plan.faces[axis][1] - plan.faces[axis][0]);
     for (std::size_t c = 0; c < plan.charge_shapes.size(); ++c) {
+        const double widest = widest_cell(plan, plan.charge_shapes[c].bounds());
         const double across = std::cbrt(plan.charge_shapes[c].volume() * 6 / 3.14159265358979) / widest;
         if (across < wanted)
             warnings.push_back(fmt::format("charge {} is only {:.1f} cells across: its near field is smeared out; {} or more are wanted",
@@ -238,6 +286,17 @@ std::size_t EulerPlan::cells() const
     return cells_along(0) * cells_along(1) * cells_along(2);
 }
 
+std::array<double, 2> EulerPlan::widths(std::size_t axis, double from, double to) const
+{
+    std::array<double, 2> widths{std::numeric_limits<double>::infinity(), 0};
+    for (std::size_t i = 0; i + 1 < faces[axis].size(); ++i) {
+        if (faces[axis][i + 1] < from || faces[axis][i] > to) continue;
+        const double width = faces[axis][i + 1] - faces[axis][i];
+        widths = {std::min(widths[0], width), std::max(widths[1], width)};
+    }
+    return widths;
+}
+
 EulerPlan plan_euler(const CaseDescription& description, std::vector<std::string>& warnings)
 {
     const EulerInput& input = *description.euler;
@@ -246,6 +305,7 @@ EulerPlan plan_euler(const CaseDescription& description, std::vector<std::string
                          "expected a [[charge]] with explosive, mass and center", input.places.own);
     check_box(input);
     check_edges(input);
+    check_fine_box(input);
     EulerPlan plan;
     plan.settings.cfl = input.cfl;
     plan.settings.skip_quiet = input.sleep;
@@ -291,7 +351,7 @@ double expected_grid_step(const EulerPlan& plan, double time)
         if (plan.start && fill.state.unburnt) speed = 1.5 * plan.start->front / std::max(time, plan.start->time);
         double all = 0;
         for (std::size_t axis = 0; axis < 3; ++axis)
-            if (plan.live(axis)) all += speed / (plan.faces[axis][1] - plan.faces[axis][0]);
+            if (plan.live(axis)) all += speed / plan.widths(axis)[0];
         rate = std::max(rate, all);
     }
     return plan.settings.cfl / rate;

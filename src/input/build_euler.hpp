@@ -31,6 +31,10 @@ struct EulerPlan {
     [[nodiscard]] std::size_t cells_along(std::size_t axis) const { return faces[axis].empty() ? 1 : faces[axis].size() - 1; }
     /// Whether anything flows along an axis.
     [[nodiscard]] bool live(std::size_t axis) const { return cells_along(axis) > 1; }
+    /// Widths of the narrowest and of the widest cell along an axis that reach into a range of it [m].
+    [[nodiscard]] std::array<double, 2> widths(std::size_t axis, double from, double to) const;
+    /// Those of all cells along the axis.
+    [[nodiscard]] std::array<double, 2> widths(std::size_t axis) const { return widths(axis, faces[axis].front(), faces[axis].back()); }
 };
 
 /// Works out everything but the cells themselves. Errors: InputError at the place of what is wrong: a box or cells that do not fit the

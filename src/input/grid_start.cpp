@@ -170,7 +170,7 @@ void check_cells_between(const EulerPlan& plan, const Place& place)
 {
     double across = 0;
     for (std::size_t axis = 0; axis < 3; ++axis)
-        if (plan.live(axis)) across = std::hypot(across, plan.faces[axis][1] - plan.faces[axis][0]);
+        if (plan.live(axis)) across = std::hypot(across, plan.widths(axis)[1]);
     if (plan.fills.size() > 2 && plan.start->front + across > plan.start->obstacle)
         throw InputError("start = \"spherical\" with cells wider than what is left of the way to the fill it meets",
                          fmt::format("expected cells below {:.3g} m", (plan.start->obstacle - plan.start->front) / 1.75), place);

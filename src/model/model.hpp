@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,7 @@ public:
 
     std::vector<Probe> probes;
     std::vector<Gauge> gauges;
+    std::optional<KnownBlast> known_blast;  ///< where the case has one charge, round and in air
     OutputSettings output;
 
     /// Where the gas sees facets in this step.

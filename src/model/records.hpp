@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "laws/blast/kingery_bulmash.hpp"
 #include "mesh/shape.hpp"
 
 // What a run is asked to record.
@@ -61,6 +62,15 @@ struct Gauge {
     std::string name;
     std::variant<PartGauge, FaceGauge, RegionGauge, GridFaceGauge, GridRegionGauge> place;
     double every = 0;  ///< [s]
+};
+
+/// The one charge of a case as the curves of Kingery and Bulmash know it: what gauges are shown beside.
+struct KnownBlast {
+    double mass = 0;                 ///< of TNT, or its equivalent by energy [kg]
+    Vector3d center;                 ///< [m]
+    Burst burst = Burst::spherical;  ///< a hemisphere lies flat on a rigid face of the box
+    double time = 0;                 ///< of detonation [s]
+    double ambient = 0;              ///< pressure of the air around [Pa]
 };
 
 /// Files for ParaView and restarts.

@@ -10,6 +10,7 @@
 #include "output/vtk/image.hpp"
 #include "output/vtk/points.hpp"
 #include "parallel/loops.hpp"
+#include "simulation/grid_file.hpp"
 #include "structure/energy.hpp"
 #include "structure/fields.hpp"
 
@@ -27,7 +28,10 @@ void add_vector_columns(HistorySource& source, const std::string& owner, const s
 
 }  // namespace
 
-Recorder::Recorder(Model& model) : model_(model), gauges_(model), grid_gauges_(model), resolution_(judge_resolution(model)) {}
+Recorder::Recorder(Model& model)
+    : model_(model), gauges_(model), grid_gauges_(model), empirical_gauges_(model), resolution_(judge_resolution(model))
+{
+}
 
 OutputPlan Recorder::plan(const Clock& clock)
 {
@@ -35,6 +39,7 @@ OutputPlan Recorder::plan(const Clock& clock)
     for (const Probe& probe : model_.probes) add_probe(plan, probe);
     gauges_.add_to(plan, clock);
     grid_gauges_.add_to(plan, clock);
+    empirical_gauges_.add_to(plan, clock);
     add_energies(plan);
     if (model_.output.fields_every > 0) add_files(plan);
     plan.end_time = model_.end_time;
@@ -108,31 +113,6 @@ void write_averages(const Gas& gas, int cells, const VtkOptions& options, const 
     const Vector3d cell{size.x / static_cast<double>(counts[0]), size.y / static_cast<double>(counts[1]),
                         size.z / static_cast<double>(counts[2])};
     write_image(path, cell_centers(counts, grid.box.lower, cell), fields(grid), options);
-}
-
-/// The cells of the gases on a grid as they are: a box of them, a half plane y = 0 of rings, a line of shells.
-void write_grid(const EulerGrid& grid, const VtkOptions& options, const std::filesystem::path& path)
-{
-    std::array<std::int64_t, 3> counts{};
-    Vector3d lowest, cell;
-    for (std::size_t d = 0; d < 3; ++d) {
-        const EulerAxis& axis = grid.axes[d];
-        counts[d] = static_cast<std::int64_t>(axis.cells());
-        lowest[static_cast<int>(d)] = axis.faces.front();
-        cell[static_cast<int>(d)] = axis.width(0);
-    }
-    if (grid.space == EulerSpace::axisymmetric) {  // its second axis is z, its third is none
-        std::swap(counts[1], counts[2]);
-        std::swap(lowest.y, lowest.z);
-        std::swap(cell.y, cell.z);
-    }
-    FieldSet set = cell_fields(grid);
-    for (Field& field : set.fields) {
-        if (field.name != "velocity") continue;
-        field = derived_field<Vector3f>(field.name, field.unit, field.meaning, field.count,
-                                        [&grid](std::size_t c) { return Vector3f(in_space(grid.space, look(grid, c).velocity)); });
-    }
-    write_image(path, cell_centers(counts, lowest, cell), set, options);
 }
 
 void write_structure(Structure& structure, const VtkOptions& options, const std::filesystem::path& path)

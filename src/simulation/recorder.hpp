@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "model/model.hpp"
+#include "simulation/empirical_gauges.hpp"
 #include "simulation/gauges.hpp"
 #include "simulation/grid_gauges.hpp"
 #include "simulation/outputs.hpp"
@@ -34,6 +35,7 @@ private:
     Model& model_;
     Gauges gauges_;
     GridGauges grid_gauges_;
+    EmpiricalGauges empirical_gauges_;
     std::vector<Verdict> resolution_;  ///< of the model as it was built
 };
 

@@ -100,14 +100,21 @@ std::string grid(const Axis& x, const Axis& y)
     return text + "</g>";
 }
 
-std::string paths(const std::vector<Points>& curves, const Axis& x, const Axis& y)
+/// Colour and stroke of a curve.
+std::string line_class(const Chart& chart, std::size_t i)
+{
+    const std::optional<std::size_t>& beside = chart.curves[i].beside;
+    return fmt::format("c{}{}", beside.value_or(i) % colors, beside || i >= colors ? " dashed" : "");
+}
+
+std::string paths(const Chart& chart, const std::vector<Points>& curves, const Axis& x, const Axis& y)
 {
     std::string text;
     for (std::size_t i = 0; i < curves.size(); ++i) {
         std::string path;
         for (const auto& [px, py] : curves[i])
             fmt::format_to(std::back_inserter(path), "{}{:.1f} {:.1f}", path.empty() ? 'M' : 'L', x.place(px), y.place(py));
-        text += fmt::format("<path class=\"curve c{}{}\" d=\"{}\"/>", i % colors, i < colors ? "" : " dashed", path);
+        text += fmt::format("<path class=\"curve {}\" d=\"{}\"/>", line_class(chart, i), path);
     }
     return text;
 }
@@ -148,7 +155,7 @@ std::string legend(const Chart& chart)
 {
     std::string text = "<ul class=\"legend\">";
     for (std::size_t i = 0; i < chart.curves.size(); ++i) {
-        text += fmt::format("<li class=\"c{}{}\">{}</li>", i % colors, i < colors ? "" : " dashed", escaped(chart.curves[i].label));
+        text += fmt::format("<li class=\"{}\">{}</li>", line_class(chart, i), escaped(chart.curves[i].label));
     }
     return text + "</ul>";
 }
@@ -252,7 +259,7 @@ std::string drawn(const Chart& chart)
         "<text class=\"axis\" x=\"{9}\" y=\"{10}\" text-anchor=\"middle\">{5}</text><g class=\"pointer\"></g></svg>"
         "<div class=\"tip\" hidden></div><script type=\"application/json\">{11}</script></figure>\n",
         escaped(chart.title), escaped(axis_title("", y.shown)), legend(chart), width, height, escaped(axis_title(chart.x_name, x.shown)),
-        grid(x, y), reference_lines(chart, y), bands(chart, x, y) + paths(curves, x, y), (left + right) / 2, height - 6,
+        grid(x, y), reference_lines(chart, y), bands(chart, x, y) + paths(chart, curves, x, y), (left + right) / 2, height - 6,
         points_json(chart, curves, x, y));
 }
 

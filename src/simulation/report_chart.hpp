@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,9 +16,10 @@ struct Band {
 /// One curve of a chart, in SI.
 struct Curve {
     std::string label;
-    std::vector<double> x;  ///< growing
-    std::vector<double> y;  ///< as long as x; points that are not finite are left out
-    Band band = {};         ///< as long as x, if there is one
+    std::vector<double> x;                   ///< growing
+    std::vector<double> y;                   ///< as long as x; points that are not finite are left out
+    Band band = {};                          ///< as long as x, if there is one
+    std::optional<std::size_t> beside = {};  ///< number of the curve that this one is a reference for: its colour, dashed
 };
 
 /// A value to compare with, drawn as a dashed line.

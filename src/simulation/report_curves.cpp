@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -103,6 +104,15 @@ Curve curve_of(const HistoryTable& history, std::size_t column)
     return curve;
 }
 
+/// Where in the group the gauge's own curve is, if a column is what Kingery and Bulmash say of its place.
+std::optional<std::size_t> gauge_beside(const Group& group, const HistoryTable& history, std::size_t column)
+{
+    const std::string owner = column_name(history.columns[column].name).owner;
+    for (std::size_t k = 0; k < group.columns.size(); ++k)
+        if (owner == kingery_bulmash_name(column_name(history.columns[group.columns[k]].name).owner)) return k;
+    return {};
+}
+
 Chart chart_of(const Group& group, const HistoryTable& history, const std::vector<ReferenceValue>& references)
 {
     Chart chart{capitalized(spaced(group.quantity)), "time", "s", spaced(group.quantity), group.unit, {}, {}};
@@ -116,6 +126,7 @@ Chart chart_of(const Group& group, const HistoryTable& history, const std::vecto
         }
         if (component && size > 0 && greatest(history.values[i]) < negligible * size) continue;
         chart.curves.push_back(curve_of(history, i));
+        chart.curves.back().beside = gauge_beside(group, history, i);
     }
     return chart;
 }
@@ -145,7 +156,9 @@ std::vector<Chart> history_charts(const HistoryTable& history, const std::vector
         charts.push_back(chart_of(group, history, references));
         if (group.quantity != "energy") continue;
         Chart lesser = lesser_curves(charts.back());
-        if (!lesser.curves.empty()) charts.push_back(std::move(lesser));
+        const bool flat =
+            std::all_of(lesser.curves.begin(), lesser.curves.end(), [](const Curve& curve) { return greatest(curve.y) == 0; });
+        if (!flat) charts.push_back(std::move(lesser));
     }
     return charts;
 }

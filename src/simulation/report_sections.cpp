@@ -164,6 +164,9 @@ std::string gauge_table(const RunSummary& summary)
     for (const auto& [name, gauge] : summary.gauges) {
         rows.push_back({name, shown_value(gauge.peak_pressure, "Pa"), shown_value(gauge.peak_pressure_error, "Pa"),
                         shown_value(gauge.impulse, "Pa s"), shown_value(gauge.impulse_error, "Pa s"), shown_value(gauge.arrival, "s")});
+        if (const auto& known = gauge.kingery_bulmash)
+            rows.push_back({name + ", Kingery-Bulmash", shown_value(known->peak_pressure, "Pa"), "-", shown_value(known->impulse, "Pa s"),
+                            "-", shown_value(known->arrival, "s")});
     }
     return table("Gauges", {"", "peak pressure", "standard error", "impulse", "standard error", "arrival"}, rows);
 }

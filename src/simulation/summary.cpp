@@ -107,6 +107,9 @@ Json gauges_of(const RunSummary& summary)
                         {"arrival_s", gauge.arrival},
                         {"peak_pressure_error_pa", gauge.peak_pressure_error},
                         {"impulse_error_pa_s", gauge.impulse_error}};
+        if (const auto& known = gauge.kingery_bulmash)
+            gauges[name]["kingery_bulmash"] = {
+                {"peak_pressure_pa", known->peak_pressure}, {"impulse_pa_s", known->impulse}, {"arrival_s", known->arrival}};
     }
     return gauges;
 }
@@ -223,6 +226,9 @@ void read_bodies(const Json& json, RunSummary& summary)
     for (const auto& [name, gauge] : json.at("gauges").items()) {
         summary.gauges[name] = {number(gauge.at("peak_pressure_pa")), number(gauge.at("impulse_pa_s")), number(gauge.at("arrival_s")),
                                 number(gauge.value("peak_pressure_error_pa", Json())), number(gauge.value("impulse_error_pa_s", Json()))};
+        if (const Json known = gauge.value("kingery_bulmash", Json()); !known.is_null())
+            summary.gauges[name].kingery_bulmash =
+                EmpiricalSummary{number(known.at("peak_pressure_pa")), number(known.at("impulse_pa_s")), number(known.at("arrival_s"))};
     }
     for (const auto& [name, part] : json.at("parts").items()) {
         summary.parts[name] = {vector_of(part.at("impulse_n_s")), number(part.at("max_plastic_strain")),

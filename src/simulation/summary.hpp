@@ -25,6 +25,13 @@ struct ProbeSummary {
     double time_of_maximum = 0;  ///< [s]
 };
 
+/// What the curves of Kingery and Bulmash say of a gauge's place, as if nothing stood between it and the charge.
+struct EmpiricalSummary {
+    double peak_pressure = 0;  ///< [Pa]
+    double impulse = 0;        ///< greatest specific impulse within the run [Pa s]
+    double arrival = 0;        ///< [s], not a number if nothing came within the run
+};
+
 /// What a gauge saw.
 struct GaugeSummary {
     double peak_pressure = 0;                                               ///< [Pa]
@@ -32,6 +39,7 @@ struct GaugeSummary {
     double arrival = 0;                                                     ///< [s], not a number if nothing came
     double peak_pressure_error = std::numeric_limits<double>::quiet_NaN();  ///< standard error of that sample [Pa]
     double impulse_error = std::numeric_limits<double>::quiet_NaN();        ///< standard error of that impulse [Pa s]
+    std::optional<EmpiricalSummary> kingery_bulmash = {};
 };
 
 /// What a part of the structure took up.

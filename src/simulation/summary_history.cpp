@@ -9,7 +9,7 @@ namespace corpuscle {
 
 namespace {
 
-constexpr double arrival_share = 0.05;
+constexpr double arrival_share = 0.05, rounding = 1e-9;
 
 /// Extremes of the samples that are there; nothing if there are none.
 std::optional<ProbeSummary> extremes(const std::vector<double>& times, const std::vector<double>& values)
@@ -45,7 +45,7 @@ double value_at(const HistoryTable& history, const std::string& column, double t
 double arrival(const std::vector<double>& times, const std::vector<double>& pressures, double peak)
 {
     const auto first = std::find_if(pressures.begin(), pressures.end(), [](double pressure) { return !std::isnan(pressure); });
-    if (first == pressures.end() || !(peak > *first)) return std::numeric_limits<double>::quiet_NaN();
+    if (first == pressures.end() || !(peak - *first > rounding * std::abs(*first))) return std::numeric_limits<double>::quiet_NaN();
     const double threshold = *first + arrival_share * (peak - *first);
     const auto come = std::find_if(pressures.begin(), pressures.end(), [threshold](double pressure) { return pressure >= threshold; });
     return times[static_cast<std::size_t>(come - pressures.begin())];
@@ -86,6 +86,25 @@ void add_probes(RunSummary& summary, const HistoryTable& history, const std::vec
     }
 }
 
+std::string kingery_bulmash_name(const std::string& gauge)
+{
+    return gauge + " (Kingery-Bulmash)";
+}
+
+namespace {
+
+std::optional<EmpiricalSummary> empirical_summary(const HistoryTable& history, const std::string& gauge)
+{
+    const std::string name = kingery_bulmash_name(gauge);
+    const std::vector<double>*pressure = history.find(name + ".pressure"), *impulse = history.find(name + ".impulse");
+    if (pressure == nullptr || impulse == nullptr) return {};
+    const std::optional<ProbeSummary> peak = extremes(history.times, *pressure), pushed = extremes(history.times, *impulse);
+    if (!peak || !pushed) return {};
+    return EmpiricalSummary{peak->maximum, pushed->maximum, arrival(history.times, *pressure, peak->maximum)};
+}
+
+}  // namespace
+
 void add_gauges(RunSummary& summary, const HistoryTable& history, const std::vector<std::string>& gauges)
 {
     for (const std::string& name : gauges) {
@@ -97,9 +116,12 @@ void add_gauges(RunSummary& summary, const HistoryTable& history, const std::vec
         const double peak = seen->maximum;
         ProbeSummary pushed;
         if (impulse != nullptr) pushed = extremes(history.times, *impulse).value_or(ProbeSummary{});
-        summary.gauges[name] = {peak, pushed.maximum, arrival(history.times, *pressure, peak),
+        summary.gauges[name] = {peak,
+                                pushed.maximum,
+                                arrival(history.times, *pressure, peak),
                                 value_at(history, name + ".pressure_error", seen->time_of_maximum),
-                                value_at(history, name + ".impulse_error", pushed.time_of_maximum)};
+                                value_at(history, name + ".impulse_error", pushed.time_of_maximum),
+                                empirical_summary(history, name)};
     }
 }
 

@@ -20,6 +20,9 @@ struct ColumnName {
 /// The column that goes with another: ("ball.velocity_x", "error") -> "ball.velocity_error_x".
 [[nodiscard]] std::string companion(const std::string& name, const std::string& kind);
 
+/// The owner of the columns that stand beside a gauge's: what the curves of Kingery and Bulmash say of its place.
+[[nodiscard]] std::string kingery_bulmash_name(const std::string& gauge);
+
 /// Extremes of every column that belongs to one of `probes`, read from the whole history (so a resumed run counts all of it).
 void add_probes(RunSummary& summary, const HistoryTable& history, const std::vector<std::string>& probes);
 

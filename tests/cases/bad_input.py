@@ -130,6 +130,8 @@ MISTAKES = [
     ("a grid's box without z", replaced("[[0, 0.6], [0, 0.6], [0, 0.6]]", "[[0, 0.6], [0, 0.6]]", GRID), r"case\.toml:11:7: the box of \[euler\] has 2 ranges, its symmetry leaves 3; expected \[\[x_min"),
     ("a grid of too few cells", replaced("\"50 mm\"", "\"200 mm\"", GRID), r"case\.toml:13:13: 3 cells along x: too few.*; expected 4 or more"),
     ("a grid of too many cells", replaced("\"50 mm\"", "\"0.2 mm\"", GRID), r"case\.toml:13:13: .* cells and 0 elements need about .*expected|more than 4e9 cells"),
+    ("a fine part without the edges' cells", replaced("cell_size", "fine_box = [[0, 0.3], [0, 0.3], [0, 0.3]]\ncell_size", GRID), r"case\.toml:\d+:12: fine_box, cell_size and edge_cell_size go together; expected all three"),
+    ("a fine part out of the box", replaced("cell_size", "fine_box = [[0, 0.3], [0, 0.3], [0, 0.9]]\nedge_cell_size = 0.1\ncell_size", GRID), r"case\.toml:\d+:12: fine_box runs from 0 m to 0\.9 m along z, out of the box; expected it within 0 m and 0\.6 m"),
     ("cells and their size", replaced("cell_size", "cells = [9, 9, 9]\ncell_size", GRID), r"case\.toml:10:1: 'euler' has cell_size and cells at once; expected exactly one"),
     ("a grid with an ensemble", "ensemble = 2\n" + GRID, r"case\.toml:1:12: an ensemble without gas of particles.*; expected \[gas\]"),
     ("a charge off the axis", replaced("[[0, 0.6], [0, 0.6], [0, 0.6]]", "[[0, 0.6], [0, 0.6]]", replaced("box =", "symmetry = \"axisymmetric\"\nbox =", replaced(", y = [\"rigid\", \"open\"]", "", replaced("[0, 0, \"300 mm\"]", "[0.1, 0, 0.3]", GRID)))), r"case\.toml:8:10: the charge is not symmetric about the z axis.*; expected a sphere"),

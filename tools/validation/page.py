@@ -23,14 +23,14 @@ def table(head, rows):
     return "\n".join("| " + " | ".join(str(cell) for cell in row) + " |" for row in [head, ["---"] * len(head), *rows])
 
 
-def write(topic, text):
-    """Puts the text between the topic's marks in docs/validation.md; the marks stand where the page's writer has put them."""
+def write(topic, text, page=PAGE):
+    """Puts the text between the topic's marks in a page (docs/validation.md); the marks stand where the page's writer has put them."""
     begin, end = f"<!-- {topic}: made by make validate -->", f"<!-- {topic}: end -->"
-    page = PAGE.read_text()
-    if begin not in page or end not in page:
-        raise SystemExit(f"{PAGE.relative_to(ROOT)}: no marks '{begin}' and '{end}'")
-    PAGE.write_text(page[:page.index(begin)] + begin + "\n" + text + "\n" + page[page.index(end):])
-    print(f"{topic}: written to {PAGE.relative_to(ROOT)}")
+    whole = page.read_text()
+    if begin not in whole or end not in whole:
+        raise SystemExit(f"{page.relative_to(ROOT)}: no marks '{begin}' and '{end}'")
+    page.write_text(whole[:whole.index(begin)] + begin + "\n" + text + "\n" + whole[whole.index(end):])
+    print(f"{topic}: written to {page.relative_to(ROOT)}")
 
 
 def records(command, kept, dry=False):
@@ -48,13 +48,16 @@ def records(command, kept, dry=False):
 
 
 class Chart:
-    """A line chart as an SVG file of its own: axes linear or logarithmic, curves and points with a legend."""
+    """A line chart as an SVG file of its own: axes linear or logarithmic, curves and points with a legend, in the corner or beside the chart."""
 
     width, height, left, right, top, bottom = 640, 400, 70, 16, 16, 48
 
-    def __init__(self, x_label, y_label, log_x=False, log_y=False):
+    def __init__(self, x_label, y_label, log_x=False, log_y=False, legend_beside=False):
         self.x_label, self.y_label, self.log_x, self.log_y = x_label, y_label, log_x, log_y
         self.curves = []
+        self.legend = self.width - 190
+        if legend_beside:
+            self.width, self.right, self.legend = 900, 276, 636
 
     def add(self, label, xs, ys, points=False, dashed=False):
         """A curve (or points) with its word in the legend."""
@@ -92,8 +95,8 @@ class Chart:
                 dash = ' stroke-dasharray="6 4"' if dashed else ""
                 parts.append(f'<polyline points="{path}" fill="none" stroke="{colour}" stroke-width="1.6"{dash}/>')
             y = self.top + 16 + 16 * k
-            parts.append(f'<path d="M{self.width - 190} {y - 4}h20" stroke="{colour}" stroke-width="2"/>'
-                         f'<text x="{self.width - 164}" y="{y}">{html.escape(label)}</text>')
+            parts.append(f'<path d="M{self.legend} {y - 4}h20" stroke="{colour}" stroke-width="2"/>'
+                         f'<text x="{self.legend + 26}" y="{y}">{html.escape(label)}</text>')
         return "\n".join([*parts, "</svg>", ""])
 
 

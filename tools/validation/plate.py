@@ -15,6 +15,7 @@ DISTANCES = [400, 700, 1000]  # mm, from the charge's centre to the plate
 EXPLOSIVES = ["tnt", "tnt_paper"]
 WHOLE_COUNTS = [16_000, 80_000, 200_000, 800_000]
 QUARTERS = 4
+TIME = "time [s]"
 COLUMN = "center.displacement_z [m]"
 
 
@@ -26,6 +27,13 @@ def first_peak(deflections):
         if highest > 0.3 * max(deflections) and value < 0.5 * highest:
             break
     return highest
+
+
+def curve(folder):
+    """Times [ms] and deflections of the centre [mm] of a run."""
+    with open(folder / "history.csv", newline="") as file:
+        rows = [row for row in csv.DictReader(file, skipinitialspace=True) if row[COLUMN] not in ("", "nan")]
+    return [1000 * float(row[TIME]) for row in rows], [-1000 * float(row[COLUMN]) for row in rows]
 
 
 def settings(distance, explosive=None, count=None, seed=None):
@@ -50,11 +58,8 @@ def run(program, case, folder, chosen, dry):
         print(folder.name, flush=True)
         subprocess.run(command, check=True)
     summary = json.loads(summary_path.read_text())
-    with open(folder / "history.csv", newline="") as file:
-        rows = list(csv.DictReader(file, skipinitialspace=True))
-    deflections = [-float(row[COLUMN]) for row in rows if row[COLUMN] not in ("", "nan")]
     impulse = QUARTERS * -summary["parts"]["plate"]["impulse_n_s"][2]
-    return 1000 * first_peak(deflections), impulse, summary["wall_s"], summary["cpu_s"]
+    return first_peak(curve(folder)[1]), impulse, summary["wall_s"], summary["cpu_s"]
 
 
 def rows_of(program, out, options):

@@ -35,6 +35,14 @@ const Table& table_of<EulerInput>()
                  {"m", above(0), "Width of the cells, about: each axis is cut in equal ones.", "\"10 mm\""})
             .row("cells", &EulerInput::cells,
                  {"", from_to(1, 1e6), "How many cells along each axis of the box; nothing flows along an axis with one.", "[400, 1, 1]"})
+            .row("fine_box", &EulerInput::fine_box,
+                 {"m",
+                  {},
+                  "Where the cells are of `cell_size`, written like `box`; beyond it they grow, each by the same ratio, towards "
+                  "`edge_cell_size` at the faces of the box.",
+                  "[[0, \"600 mm\"], [0, \"600 mm\"], [\"-100 mm\", \"900 mm\"]]"})
+            .row("edge_cell_size", &EulerInput::edge_cell_size,
+                 {"m", above(0), "Width of the cells at the faces of the box, about, where there is a `fine_box`.", "\"40 mm\""})
             .row("edges", &EulerInput::edges,
                  {"",
                   {},

@@ -17,9 +17,11 @@ namespace corpuscle {
 
 struct EulerInput {
     EulerSpace symmetry = EulerSpace::planar;
-    std::vector<std::array<double, 2>> box;  ///< a range for each axis that the symmetry leaves [m]
-    std::optional<double> cell_size;         ///< [m]
-    std::vector<std::uint64_t> cells;        ///< along each of these axes
+    std::vector<std::array<double, 2>> box;       ///< a range for each axis that the symmetry leaves [m]
+    std::optional<double> cell_size;              ///< [m]
+    std::vector<std::uint64_t> cells;             ///< along each of these axes
+    std::vector<std::array<double, 2>> fine_box;  ///< where cells are of cell_size; beyond it they grow [m]
+    std::optional<double> edge_cell_size;         ///< that they grow towards at the box's faces [m]
     EdgesInput edges;
     std::optional<Preset<GasValues>> fill;
     StartRule start = StartRule::detonation;

@@ -47,7 +47,7 @@ def show(path, view, last):
     reader.UpdatePipeline(last)
     info = reader.GetDataInformation()
     shown = simple.Show(reader, view)
-    if info.GetDataSetTypeAsString() == "vtkImageData":
+    if info.GetDataSetTypeAsString() == "vtkImageData" or os.path.basename(path).startswith("cells."):
         shown.SetRepresentationType("Outline")
         return
     if info.GetNumberOfCells() == 1 and info.GetNumberOfPoints() > 8:

@@ -24,6 +24,24 @@ TEST(EulerAxis, volumes_of_shells_and_rings_add_up)
     EXPECT_NEAR(in_can / (pi * 4 * 3), 1, 1e-13);
 }
 
+TEST(EulerAxis, a_fine_part_has_even_cells_and_wider_ones_on_either_side)
+{
+    const std::vector<double> faces = faces_with_fine_part(-2, 3, {-0.5, 1}, 0.1, 0.4);
+    EXPECT_EQ(faces.front(), -2);
+    EXPECT_EQ(faces.back(), 3);
+    double last = 0;
+    for (std::size_t i = 1; i < faces.size(); ++i) {
+        const double width = faces[i] - faces[i - 1];
+        ASSERT_GT(width, 0);
+        const bool fine = faces[i - 1] > -0.5 - 1e-9 && faces[i] < 1 + 1e-9;
+        EXPECT_NEAR(width, fine ? 0.1 : width, 1e-12);
+        EXPECT_LT(i > 1 ? std::abs(std::log(width / last)) : 0, 0.3);  // no jump
+        last = width;
+    }
+    EXPECT_NEAR(last, 0.4, 0.04);
+    EXPECT_EQ(faces_with_fine_part(0, 1, {0, 1}, 0.25, 1).size(), 5U);
+}
+
 TEST(EulerAxis, graded_faces_grow_by_one_ratio_between_the_widths_asked_for)
 {
     const std::vector<double> faces = graded_faces(1, 3, 0.01, 0.1);

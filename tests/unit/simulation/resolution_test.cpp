@@ -4,6 +4,8 @@
 
 #include <memory>
 
+#include "euler/fill.hpp"
+
 namespace corpuscle {
 namespace {
 
@@ -53,6 +55,27 @@ TEST(Resolution, JudgesOnlyWhatIsThere)
     model->gas.charges.clear();
     model->gas.particles.clear();
     EXPECT_TRUE(judge_resolution(*model).empty());
+}
+
+/// A ball of 0.2 m radius, lit in the corner of an octant of cells of 0.05 m that widen beyond 0.5 m to 0.1 m; a gauged wall 1 m away.
+TEST(Resolution, OfAGridIsThatOfItsCells)
+{
+    auto model = std::make_unique<Model>(Gas{}, Structure{});
+    const std::vector<double> faces = faces_with_fine_part(0, 1, {0, 0.5}, 0.05, 0.1);
+    EulerMaterial products{"products", IdealGas{1.3}, {}, 0};
+    products.explosive.energy = 4e6;
+    products.explosive.detonation_velocity = 7000;
+    products.explosive.lightings = {{{0, 0, 0}, 0}};
+    model->euler = make_grid(EulerSpace::planar, {faces, faces, faces}, {}, {products, {"air", IdealGas{1.4}, {}, 0}});
+    fill(model->euler, [](const Vector3d& at) {
+        return norm(at) < 0.2 ? EulerSample{0, 1600, 1e5, {}, 0, true} : EulerSample{1, 1.2, 1e5, {}, 0, false};
+    });
+    model->gauges.push_back({"wall", GridFaceGauge{1}, 1e-5});
+    const std::vector<Verdict> verdicts = judge_resolution(*model);
+    ASSERT_EQ(verdicts.size(), 2U);
+    EXPECT_NEAR(verdicts[0].value, 0.05 / 0.4, 0.03);  // the cells' middles reach out to nearly the radius
+    EXPECT_NEAR(verdicts[1].value, 0.1, 0.01);
+    EXPECT_FALSE(verdicts[1].passed());
 }
 
 }  // namespace
