@@ -30,6 +30,12 @@ std::filesystem::path results_folder(const Options& options)
     return std::filesystem::path("results") / (stem == "case" && !folder.empty() ? folder : stem);
 }
 
+/// The parts and the quality of their meshes, in the log.
+void tell_parts(const CaseSurvey& survey, Log& log)
+{
+    for (const PartReport& part : survey.parts) log.line(part.text());
+}
+
 void tell_warnings(const CaseSurvey& survey, Log& log, bool quiet)
 {
     for (const std::string& warning : survey.warnings) {
@@ -95,6 +101,7 @@ int run_command(const Options& options)
     folder.create(existing);
     replace_file(folder.resolved_case(), resolved_case(description));
     Simulation simulation(std::move(model), folder);
+    tell_parts(survey, simulation.log());
     tell_warnings(survey, simulation.log(), options.quiet);
     return finish(simulation, folder, options);
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <fmt/format.h>
 
@@ -34,7 +35,9 @@ int flush_divisions(const PartInput& ring, const CaseDescription& description)
     return 0;
 }
 
-/// The elements of one set of a mesh, and their nodes.
+constexpr std::uint32_t no_element = 0xFFFFFFFFu;
+
+/// The elements of one set of a mesh, their nodes, and what of the other sets is among them.
 Mesh only_group(const Mesh& mesh, const std::string& group, const Place& place)
 {
     const auto found = mesh.element_sets.find(group);
@@ -47,7 +50,14 @@ Mesh only_group(const Mesh& mesh, const std::string& group, const Place& place)
     Mesh part = mesh;
     part.elements.clear();
     part.element_sets.clear();
-    for (const std::uint32_t element : found->second) part.elements.push_back(mesh.elements[element]);
+    std::vector<std::uint32_t> kept_as(mesh.elements.size(), no_element);
+    for (const std::uint32_t element : found->second) {
+        kept_as[element] = static_cast<std::uint32_t>(part.elements.size());
+        part.elements.push_back(mesh.elements[element]);
+    }
+    for (const auto& [name, elements] : mesh.element_sets)
+        for (const std::uint32_t element : elements)
+            if (kept_as[element] != no_element) part.element_sets[name].push_back(kept_as[element]);
     remove_unused_nodes(part);
     return part;
 }
@@ -150,6 +160,8 @@ PartDescription describe(const PartInput& part, const CaseDescription& descripti
     built.place = part.places.own;
     built.mesh = make_mesh(part, description);
     at_place(part.places.of("mesh"), [&] {
+        for (const std::string& remark : built.mesh.remarks)
+            if (std::find(warnings.begin(), warnings.end(), remark) == warnings.end()) warnings.push_back(remark);
         for (const std::string& warning : validate(built.mesh, part.name)) warnings.push_back(warning);
         if (part.mesh.closed) require_closed(built.mesh, part.name);
     });
@@ -175,6 +187,54 @@ PartDescription describe(const PartInput& part, const CaseDescription& descripti
     return built;
 }
 
+/// The stable steps of a part's elements: the least, the one in the middle, and whose the least is.
+void find_steps(const Part& part, PartReport& report)
+{
+    constexpr double safety = 0.9;  // as in stable_step of a structure
+    std::vector<double> steps;
+    std::visit(
+        [&](const auto& elements) {
+            for (std::size_t e = 0; e < elements.size(); ++e) steps.push_back(safety * elements.transit(e));
+        },
+        part.elements);
+    const auto least = std::min_element(steps.begin(), steps.end());
+    report.step = *least;
+    report.slowest = part.number_of(static_cast<std::size_t>(least - steps.begin()));
+    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+    std::nth_element(steps.begin(), middle, steps.end());
+    report.usual_step = *middle;
+}
+
+/// The report on the part that has just been built of a mesh.
+PartReport report_of(const Mesh& mesh, const Structure& structure)
+{
+    const Part& part = structure.parts.back();
+    PartReport report;
+    report.name = part.name;
+    report.kind = std::visit([](const auto& e) { return e.kind(); }, part.elements);
+    report.elements = part.element_count();
+    report.nodes = part.node_count;
+    for (std::uint32_t n = part.first_node; n < part.first_node + part.node_count; ++n) report.mass += structure.nodes.mass[n];
+    if (const RigidBody* body = structure.nodes.body_of(part.first_node)) report.mass = body->mass;
+    report.quality = check(mesh);
+    report.slender = element_number(mesh, report.quality.longest_element);
+    report.warped = element_number(mesh, report.quality.warped_element);
+    report.badly_shaped = element_number(mesh, report.quality.worst_element);
+    find_steps(part, report);
+    return report;
+}
+
+/// A few small elements make the whole run as slow as they are.
+void warn_of_small_step(const PartReport& part, std::vector<std::string>& warnings)
+{
+    constexpr double much_less = 0.3;
+    if (std::isfinite(part.step) && part.step < much_less * part.usual_step)
+        warnings.push_back(
+            fmt::format("part '{}': element {} allows a step of {:.3g} s only, most of its elements {:.3g} s: a mesh without "
+                        "such small elements would run {:.0f} times as fast",
+                        part.name, part.slowest, part.step, part.usual_step, part.usual_step / part.step));
+}
+
 }  // namespace
 
 Mesh make_mesh(const PartInput& part, const CaseDescription& description)
@@ -188,14 +248,27 @@ Mesh make_mesh(const PartInput& part, const CaseDescription& description)
     return mesh;
 }
 
-Structure build_structure(const CaseDescription& description, std::vector<std::string>& warnings)
+Structure build_structure(const CaseDescription& description, StructureNotes& notes)
 {
     Structure structure;
     for (const PartInput& part : description.parts) {
-        const PartDescription described = describe(part, description, warnings);
+        const PartDescription described = describe(part, description, notes.warnings);
         at_place(part.places.own, [&] { add_part(structure, described); });
+        notes.parts.push_back(report_of(described.mesh, structure));
+        warn_of_small_step(notes.parts.back(), notes.warnings);
     }
     return structure;
+}
+
+std::string PartReport::text() const
+{
+    const std::string mesh = fmt::format(
+        "part '{}': {} {} elements, {} nodes, edges {:.4g} to {:.4g} m, worst aspect {:.3g} (element {}), warp {:.3g} degrees (element "
+        "{}), "
+        "scaled Jacobian {:.3g} (element {})",
+        name, elements, kind, nodes, quality.min_edge, quality.max_edge, quality.worst_aspect, slender,
+        quality.worst_warp * 180 / std::numbers::pi, warped, quality.min_scaled_jacobian, badly_shaped);
+    return std::isfinite(step) ? mesh + fmt::format(", stable step {:.4g} s (element {})", step, slowest) : mesh;
 }
 
 }  // namespace corpuscle

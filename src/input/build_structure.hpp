@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "input/case/case_description.hpp"
+#include "mesh/quality.hpp"
 #include "structure/structure.hpp"
 
 namespace corpuscle {
@@ -11,7 +12,28 @@ namespace corpuscle {
 /// The mesh of a part, in its place. A ring whose inner radius is a disk's in the same case is made flush with it.
 [[nodiscard]] Mesh make_mesh(const PartInput& part, const CaseDescription& description);
 
-/// Builds all parts. Remarks on doubtful meshes are added to `warnings`. Errors: InputError at the part's place.
-[[nodiscard]] Structure build_structure(const CaseDescription& description, std::vector<std::string>& warnings);
+/// What is worth knowing of a part before it is run.
+struct PartReport {
+    std::string name, kind;
+    std::size_t elements = 0, nodes = 0;
+    double mass = 0;           ///< [kg], 0: a wall
+    MeshQuality quality;       ///< of its mesh
+    double step = 0;           ///< longest stable step of its elements, with the safety factor; infinite for rigid ones [s]
+    double usual_step = 0;     ///< of the element in the middle of all [s]
+    std::int64_t slowest = 0;  ///< number of the element that sets the step
+    std::int64_t slender = 0, warped = 0, badly_shaped = 0;  ///< numbers of the worst elements
+
+    /// One line for people.
+    [[nodiscard]] std::string text() const;
+};
+
+/// What comes out beside the structure when it is built.
+struct StructureNotes {
+    std::vector<std::string> warnings;  ///< remarks on doubtful meshes
+    std::vector<PartReport> parts;
+};
+
+/// Builds all parts. Errors: InputError at the part's place.
+[[nodiscard]] Structure build_structure(const CaseDescription& description, StructureNotes& notes);
 
 }  // namespace corpuscle

@@ -87,7 +87,10 @@ CaseSurvey survey_case(const CaseDescription& description)
     }
     if (description.euler) survey.euler = plan_euler(description, survey.warnings);
     check_room(description, survey);
-    survey.structure = build_structure(description, survey.warnings);
+    StructureNotes notes;
+    survey.structure = build_structure(description, notes);
+    survey.warnings.insert(survey.warnings.end(), notes.warnings.begin(), notes.warnings.end());
+    survey.parts = std::move(notes.parts);
     survey.memory = check_room(description, survey);
     warn_of_room(survey);
     if (survey.gas) check_charges_apart(*survey.gas, survey.structure, description);

@@ -46,7 +46,9 @@ std::string point_text(const Vector3d& point)
 
 std::string element_place(const Mesh& mesh, std::size_t element)
 {
-    return fmt::format("element {} near {}", element + 1, point_text(center(mesh, mesh.elements[element])));
+    const std::int64_t number = mesh.elements[element].number;
+    return fmt::format("element {} near {}", number != 0 ? number : static_cast<std::int64_t>(element) + 1,
+                       point_text(center(mesh, mesh.elements[element])));
 }
 
 }  // namespace corpuscle

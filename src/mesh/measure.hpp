@@ -23,7 +23,7 @@ namespace corpuscle {
 /// Sum of the areas of triangles and quadrilaterals. [m2]
 [[nodiscard]] double total_area(const Mesh& mesh);
 
-/// "element 17 near (0.1, 0, 0.2) m": how errors name a place in a mesh; elements are counted from 1, as meshers do.
+/// "element 17 near (0.1, 0, 0.2) m": how errors name a place in a mesh; by the element's number in its file, else counted from 1.
 [[nodiscard]] std::string element_place(const Mesh& mesh, std::size_t element);
 
 /// "(0.1, 0, 0.2) m": how errors name a point.

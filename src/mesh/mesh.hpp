@@ -28,6 +28,7 @@ enum class ElementShape : std::uint8_t { triangle, quadrilateral, tetrahedron, h
 struct MeshElement {
     ElementShape shape = ElementShape::quadrilateral;
     std::array<std::uint32_t, 8> node{};
+    std::int64_t number = 0;  ///< in the file it was read from, for people; 0: none
 };
 
 /// A mesh as a mesher gives it: nodes, elements and named sets of both; no physics. Lengths in m.
@@ -36,6 +37,7 @@ struct Mesh {
     std::vector<MeshElement> elements;
     std::map<std::string, std::vector<std::uint32_t>> node_sets;     ///< e.g. "rim", "x=0"
     std::map<std::string, std::vector<std::uint32_t>> element_sets;  ///< e.g. a gmsh physical group
+    std::vector<std::string> remarks;                                ///< what of the file was left out, for people
 };
 
 }  // namespace corpuscle

@@ -17,6 +17,8 @@ namespace {
 constexpr double flat = 1e-9;                             // scaled Jacobian below which an element has no area or volume
 constexpr double poor = 0.2;                              // below which it deserves a warning
 constexpr double warped = 20.0 * std::numbers::pi / 180;  // [rad] beyond which a face deserves a warning
+constexpr double slender = 10.0;                          // aspect beyond which an element deserves a warning
+constexpr std::size_t shown_elements = 5;                 // that a warning names
 
 using Edge = std::array<int, 2>;
 using Corners = std::array<int, 4>;
@@ -119,6 +121,30 @@ double warp(const Corner& at, const Corners& face)
     throw InputError(fmt::format("mesh '{}': {} {}", name, element_place(mesh, element), problem), remedy);
 }
 
+/// The largest warp of an element's faces of four corners; 0 without any. [rad]
+double worst_warp(const Corner& at, ElementShape shape)
+{
+    double worst = 0;
+    for (const Corners& face : four_cornered_faces_of(shape)) worst = std::max(worst, warp(at, face));
+    return worst;
+}
+
+/// Shortest and longest edge of an element. [m]
+struct EdgeRange {
+    double shortest = 1e300, longest = 0;
+};
+
+EdgeRange edge_range(const Corner& at)
+{
+    EdgeRange range;
+    for (const auto& [a, b] : edges_of(at.element.shape)) {
+        const double length = norm(at(b) - at(a));
+        range.shortest = std::min(range.shortest, length);
+        range.longest = std::max(range.longest, length);
+    }
+    return range;
+}
+
 /// Refuses positions, indices and sets that point nowhere.
 void require_sound(const Mesh& mesh, const std::string& name)
 {
@@ -130,8 +156,8 @@ void require_sound(const Mesh& mesh, const std::string& name)
     for (std::size_t e = 0; e < mesh.elements.size(); ++e)
         for (int i = 0; i < node_count(mesh.elements[e].shape); ++i)
             if (mesh.elements[e].node[i] >= mesh.nodes.size())
-                throw InputError(fmt::format("mesh '{}': element {} uses node {} of {}", name, e + 1, mesh.elements[e].node[i] + 1ull,
-                                             mesh.nodes.size()),
+                throw InputError(fmt::format("mesh '{}': element {} uses node {} of {}", name, element_number(mesh, e),
+                                             mesh.elements[e].node[i] + 1ull, mesh.nodes.size()),
                                  "write the mesh anew");
     const auto require_range = [&](const auto& sets, std::size_t count, const char* kind) {
         for (const auto& [set, members] : sets)
@@ -174,7 +200,8 @@ void require_no_duplicates(const Mesh& mesh, const std::string& name)
     const auto same = [](const auto& a, const auto& b) { return a.first == b.first; };
     const auto twin = std::adjacent_find(keys.begin(), keys.end(), same);
     if (twin != keys.end())
-        refuse(mesh, name, twin[1].second, fmt::format("lies on the same nodes as element {}", twin->second + 1), "remove one of the two");
+        refuse(mesh, name, twin[1].second, fmt::format("lies on the same nodes as element {}", element_number(mesh, twin->second)),
+               "remove one of the two");
 }
 
 void require_shapely(const Mesh& mesh, const std::string& name)
@@ -199,22 +226,52 @@ std::size_t unused_nodes(const Mesh& mesh)
     return static_cast<std::size_t>(std::count(used.begin(), used.end(), false));
 }
 
+/// Indices of the elements of which `is` says so.
+template <class Is>
+std::vector<std::size_t> elements_where(const Mesh& mesh, const Is& is)
+{
+    std::vector<std::size_t> found;
+    for (std::size_t e = 0; e < mesh.elements.size(); ++e)
+        if (is(Corner{mesh, mesh.elements[e]})) found.push_back(e);
+    return found;
+}
+
+/// "element 17", "elements 17, 18, 20, ...": the first of a list, by their numbers.
+std::string numbers_text(const Mesh& mesh, const std::vector<std::size_t>& elements)
+{
+    std::string text = elements.size() == 1 ? "element" : "elements";
+    for (std::size_t i = 0; i < std::min(elements.size(), shown_elements); ++i)
+        text += fmt::format("{} {}", i == 0 ? "" : ",", element_number(mesh, elements[i]));
+    return elements.size() > shown_elements ? text + ", ..." : text;
+}
+
 std::vector<std::string> warnings_of(const Mesh& mesh, const std::string& name)
 {
     std::vector<std::string> warnings;
-    const MeshQuality quality = check(mesh);
     if (const std::size_t unused = unused_nodes(mesh); unused > 0)
         warnings.push_back(fmt::format("mesh '{}': {} nodes are used by no element", name, unused));
-    if (quality.min_scaled_jacobian < poor)
-        warnings.push_back(fmt::format("mesh '{}': {} is badly shaped (scaled Jacobian {:.3f}, better above {})", name,
-                                       element_place(mesh, quality.worst_element), quality.min_scaled_jacobian, poor));
-    if (quality.worst_warp > warped)
-        warnings.push_back(
-            fmt::format("mesh '{}': a face is warped by {:.0f} degrees", name, quality.worst_warp * 180.0 / std::numbers::pi));
+    const auto warn = [&](const std::vector<std::size_t>& elements, const std::string& what) {
+        if (elements.empty()) return;
+        warnings.push_back(fmt::format("mesh '{}': {} {} {} ({}), the first near {}", name, elements.size(),
+                                       elements.size() == 1 ? "element is" : "elements are", what, numbers_text(mesh, elements),
+                                       point_text(center(mesh, mesh.elements[elements.front()]))));
+    };
+    warn(elements_where(mesh, [](const Corner& at) { return scaled_jacobian(at.mesh, at.element) < poor; }),
+         fmt::format("badly shaped: scaled Jacobian below {}", poor));
+    warn(elements_where(mesh, [](const Corner& at) { return worst_warp(at, at.element.shape) > warped; }),
+         "warped by more than 20 degrees");
+    warn(elements_where(mesh, [](const Corner& at) { return edge_range(at).longest > slender * edge_range(at).shortest; }),
+         fmt::format("slender: longest over shortest edge above {}", slender));
     return warnings;
 }
 
 }  // namespace
+
+std::int64_t element_number(const Mesh& mesh, std::size_t element)
+{
+    const std::int64_t number = mesh.elements[element].number;
+    return number != 0 ? number : static_cast<std::int64_t>(element) + 1;
+}
 
 double scaled_jacobian(const Mesh& mesh, const MeshElement& element)
 {
@@ -235,16 +292,17 @@ MeshQuality check(const Mesh& mesh)
     for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
         const MeshElement& element = mesh.elements[e];
         const Corner at{mesh, element};
-        double shortest = 1e300, longest = 0.0;
-        for (const auto& [a, b] : edges_of(element.shape)) {
-            const double length = norm(at(b) - at(a));
-            shortest = std::min(shortest, length);
-            longest = std::max(longest, length);
-        }
+        const auto [shortest, longest] = edge_range(at);
         quality.min_edge = std::min(quality.min_edge, shortest);
         quality.max_edge = std::max(quality.max_edge, longest);
-        quality.worst_aspect = std::max(quality.worst_aspect, longest / shortest);
-        for (const Corners& face : four_cornered_faces_of(element.shape)) quality.worst_warp = std::max(quality.worst_warp, warp(at, face));
+        if (longest > quality.worst_aspect * shortest) {
+            quality.worst_aspect = longest / shortest;
+            quality.longest_element = e;
+        }
+        if (const double own = worst_warp(at, element.shape); own > quality.worst_warp) {
+            quality.worst_warp = own;
+            quality.warped_element = e;
+        }
         const double jacobian = scaled_jacobian(mesh, element);
         if (jacobian < quality.min_scaled_jacobian) quality.worst_element = e;
         quality.min_scaled_jacobian = std::min(quality.min_scaled_jacobian, jacobian);

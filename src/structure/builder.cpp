@@ -206,7 +206,7 @@ PartDescription cut_into_triangles(PartDescription d)
     for (std::size_t e = 0; e < d.mesh.elements.size(); ++e) {
         const auto& n = d.mesh.elements[e].node;
         const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-            elements.push_back({ElementShape::triangle, {a, b, c, 0, 0, 0, 0, 0}});
+            elements.push_back({ElementShape::triangle, {a, b, c, 0, 0, 0, 0, 0}, d.mesh.elements[e].number});
             if (!d.thicknesses.empty()) thicknesses.push_back(d.thicknesses[e]);
         };
         const auto length = [&](int i, int j) { return norm_squared(d.mesh.nodes[n[i]] - d.mesh.nodes[n[j]]); };
@@ -394,6 +394,8 @@ Part& add_part(Structure& structure, const PartDescription& d)
     part.first_node = structure.nodes.add(d.mesh.nodes);
     part.node_count = static_cast<std::uint32_t>(d.mesh.nodes.size());
     const std::vector<MeshElement> elements = renumbered(d, part.first_node);
+    if (elements.front().number != 0)
+        for (const MeshElement& element : elements) part.element_numbers.push_back(element.number);
     part.elements = make_elements(d, elements, structure.nodes);
     add_masses(structure.nodes, part.elements);
     std::visit([&](const auto& e) { structure.corner_loads.resize(structure.corner_loads.size() + e.size() * e.corner_count()); },

@@ -89,7 +89,7 @@ std::string fastest_element(const Structure& structure)
                 const Vector3d& at = structure.nodes.reference[node];
                 fastest = speed;
                 words = fmt::format("element {} of part '{}' (as meshed near ({:.4g}, {:.4g}, {:.4g}) m) moves fastest, at {:.4g} m/s",
-                                    e + 1, part.name, at.x, at.y, at.z, speed);
+                                    part.number_of(e), part.name, at.x, at.y, at.z, speed);
             }
         };
         std::visit(look, part.elements);

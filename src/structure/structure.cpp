@@ -73,7 +73,7 @@ void gather_loads(Structure& structure)
     throw SafetyStop(
         fmt::format(
             "element {} of part '{}' (as meshed near ({:.4g}, {:.4g}, {:.4g}) m) came to nothing or is no longer finite at {:.6g} s",
-            element + 1, part.name, at.x, at.y, at.z, time),
+            part.number_of(element), part.name, at.x, at.y, at.z, time),
         "the load is more than this mesh can follow: look at the last state written, then refine or coarsen the mesh there, or lower the "
         "step");
 }

@@ -120,10 +120,18 @@ const Table& table_of<MeshInput>()
                   "Sweeps a disk, ring, rectangle or file of quadrilaterals into a solid of hexahedra.",
                   "{ height = \"20 mm\", layers = 4 }"})
             .row("file", &MeshInput::file,
-                 {"", {}, "A mesh file, beside the case or with its full path: .msh (gmsh 2.2, 4.1) or .stl.", "\"hull.msh\""})
+                 {"",
+                  {},
+                  "A mesh file, beside the case or with its full path: .msh (gmsh 2.2, 4.1), .inp (Abaqus), .k (LS-DYNA) or .stl.",
+                  "\"hull.msh\""})
             .row("unit", &MeshInput::unit, {"", {}, "Unit of the coordinates in the file.", "\"mm\""})
             .row("group", &MeshInput::group,
-                 {"", {}, "The physical group of the file that is this part; the whole file if not given.", "\"plate\""})
+                 {"",
+                  {},
+                  "The physical group, Abaqus element set or instance, LS-DYNA part (its title, or `part_7`) or solid of an STL file that "
+                  "is "
+                  "this part; the whole file if not given.",
+                  "\"plate\""})
             .row("move", &MeshInput::move, {"m", {}, "Added to every node.", "[0, 0, \"100 mm\"]"})
             .row("closed", &MeshInput::closed, {"", {}, "Refuse the mesh if it has a hole.", "true"})
             .one_of({"disk", "ring", "rectangle", "box", "file"})

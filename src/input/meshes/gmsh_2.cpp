@@ -68,10 +68,10 @@ void read_text_elements(Scanner& scanner, GmshContent& content)
     Gmsh2Reader reader(scanner, false);
     const std::size_t count = head_count(scanner, 6, "elements");
     for (std::size_t i = 0; i < count; ++i) {
-        scanner.integer("the number of an element");
+        const std::int64_t number = scanner.integer("the number of an element");
         const GmshType type = gmsh_type(scanner, scanner.integer("the type of an element"));
         const auto groups = read_groups(scanner, reader, scanner.integer("the number of tags"));
-        content.add_element(scanner, type, groups, read_corners(reader, type.nodes));
+        content.add_element(scanner, type, number, groups, read_corners(reader, type.nodes));
     }
 }
 
@@ -87,9 +87,9 @@ void read_binary_elements(Scanner& scanner, GmshContent& content)
         if (block == 0 || block > count - done)
             scanner.fail(fmt::format("a block of {} elements where {} are left", block, count - done), "save the file again");
         for (std::size_t i = 0; i < block; ++i) {
-            reader.integer("the number of an element");
+            const std::int64_t number = reader.integer("the number of an element");
             const auto groups = read_groups(scanner, reader, tags);
-            content.add_element(scanner, type, groups, read_corners(reader, type.nodes));
+            content.add_element(scanner, type, number, groups, read_corners(reader, type.nodes));
         }
         done += block;
     }

@@ -107,10 +107,10 @@ void read_elements(Scanner& scanner, Gmsh4Reader& reader, const Groups& groups, 
         const std::vector<std::int64_t> none, &own = found == groups.end() ? none : found->second;
         const std::size_t count = reader.count(4, "elements of a block");
         for (std::size_t i = 0; i < count; ++i) {
-            reader.large("the number of an element");
+            const std::int64_t number = reader.large("the number of an element");
             std::array<std::int64_t, 8> corners{};
             for (int k = 0; k < type.nodes; ++k) corners[k] = reader.large("a node of an element");
-            content.add_element(scanner, type, own, corners);
+            content.add_element(scanner, type, number, own, corners);
         }
         read += count;
     }

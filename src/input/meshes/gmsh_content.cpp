@@ -72,10 +72,10 @@ void GmshContent::add_node(const Scanner& scanner, std::int64_t tag, const Vecto
     nodes_.push_back(position);
 }
 
-void GmshContent::add_element(const Scanner& scanner, const GmshType& type, const std::vector<std::int64_t>& groups,
+void GmshContent::add_element(const Scanner& scanner, const GmshType& type, std::int64_t number, const std::vector<std::int64_t>& groups,
                               const std::array<std::int64_t, 8>& tags)
 {
-    Element element{type, {}, {}};
+    Element element{type, {}, {}, number};
     add_unique_sorted(element.groups, groups);
     for (int i = 0; i < type.nodes; ++i) {
         const auto found = index_of_.find(tags[i]);
@@ -121,7 +121,7 @@ Mesh GmshContent::mesh(const Scanner& scanner) const
             set.insert(set.end(), element.node.begin(), element.node.begin() + element.type.nodes);
             if (kept) mesh.element_sets[name].push_back(static_cast<std::uint32_t>(mesh.elements.size()));
         }
-        if (kept) mesh.elements.push_back({element.type.shape, element.node});
+        if (kept) mesh.elements.push_back({element.type.shape, element.node, element.number});
     }
     remove_unused_nodes(mesh);
     return mesh;

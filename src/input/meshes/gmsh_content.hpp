@@ -30,8 +30,8 @@ public:
 
     void name_group(const Group& group, std::string name) { names_[group] = std::move(name); }
     void add_node(const Scanner& scanner, std::int64_t tag, const Vector3d& position);
-    /// `tags` are the file's numbers of the element's nodes; an element that comes again for a further group is kept once.
-    void add_element(const Scanner& scanner, const GmshType& type, const std::vector<std::int64_t>& groups,
+    /// `number` is the file's of the element, `tags` of its nodes; an element that comes again for a further group is kept once.
+    void add_element(const Scanner& scanner, const GmshType& type, std::int64_t number, const std::vector<std::int64_t>& groups,
                      const std::array<std::int64_t, 8>& tags);
     [[nodiscard]] bool has_nodes() const { return !nodes_.empty(); }
 
@@ -43,6 +43,7 @@ private:
         GmshType type;
         std::array<std::uint32_t, 8> node{};
         std::vector<std::int64_t> groups;
+        std::int64_t number = 0;
     };
 
     [[nodiscard]] std::string name_of(const Group& group) const;

@@ -80,7 +80,13 @@ TEST(Validate, WarnsOfUnusedNodesAndPoorElements)
     mesh.nodes.push_back({5, 5, 5});
     EXPECT_THAT(validate(mesh, "cube"), testing::ElementsAre(HasSubstr("1 nodes are used by no element")));
     EXPECT_THAT(validate(single(ElementShape::triangle, {{0, 0, 0}, {1, 0, 0}, {0.5, 0.05, 0}}), "sliver"),
-                testing::ElementsAre(HasSubstr("element 1 near (0.5, 0.0166667, 0) m is badly shaped")));
+                testing::ElementsAre(
+                    HasSubstr("1 element is badly shaped: scaled Jacobian below 0.2 (element 1), the first near (0.5, 0.0166667, 0)")));
+    Mesh numbered = single(ElementShape::quadrilateral, {{0, 0, 0}, {1, 0, 0}, {1, 0.05, 0}, {0, 0.05, 0}});
+    numbered.elements[0].number = 170;
+    EXPECT_THAT(validate(numbered, "strip"), testing::ElementsAre(HasSubstr("slender: longest over shortest edge above 10 (element 170)")));
+    EXPECT_THAT(validate(single(ElementShape::quadrilateral, {{0, 0, 0}, {1, 0, 0}, {1, 1, 0.8}, {0, 1, 0}}), "bent"),
+                testing::ElementsAre(HasSubstr("warped by more than 20 degrees (element 1)")));
 }
 
 TEST(Validate, RefusesFlatElements)

@@ -1,0 +1,289 @@
+#include "input/meshes/abaqus.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <set>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "input/meshes/abaqus_words.hpp"
+#include "input/meshes/numbered_mesh.hpp"
+
+namespace corpuscle {
+
+namespace {
+
+/// Where an instance of a part is put: moved, then turned about a line. [m], [rad]
+struct Placing {
+    Vector3d shift;
+    Vector3d from, axis;
+    double angle = 0;
+
+    [[nodiscard]] Vector3d operator()(const Vector3d& place) const
+    {
+        const Vector3d at = place + shift;
+        if (angle == 0) return at;
+        const Vector3d n = normalized(axis), arm = at - from;
+        return from + std::cos(angle) * arm + std::sin(angle) * cross(n, arm) + (1 - std::cos(angle)) * dot(n, arm) * n;
+    }
+};
+
+class AbaqusReader {
+public:
+    explicit AbaqusReader(Scanner scanner) : lines_(std::move(scanner)) {}
+
+    Mesh read()
+    {
+        while (lines_.next()) {
+            const std::string_view text = trimmed_field(lines_.text());
+            if (text.empty() || text.starts_with("**")) continue;
+            if (text.starts_with('*'))
+                begin(abaqus_keyword(lines_));
+            else if (data_ != nullptr)
+                (this->*data_)();
+        }
+        if (in_part_ || in_instance_)
+            lines_.fail("the file ends within a part or an instance", "the file may be cut short: export it again");
+        Mesh mesh = root_.mesh(lines_, [](std::int64_t number) { return number % NumberedMesh::numbers; });
+        add_remarks(mesh);
+        return mesh;
+    }
+
+private:
+    using Data = void (AbaqusReader::*)();
+
+    /// The mesh that what is read belongs to: that of a part or an instance, or the file's.
+    NumberedMesh& current() { return in_part_ ? parts_[part_] : in_instance_ ? own_ : root_; }
+
+    void begin(const AbaqusKeyword& keyword)
+    {
+        static const std::map<std::string, void (AbaqusReader::*)(const AbaqusKeyword&)> known{
+            {"NODE", &AbaqusReader::begin_nodes},        {"ELEMENT", &AbaqusReader::begin_elements},
+            {"NSET", &AbaqusReader::begin_set},          {"ELSET", &AbaqusReader::begin_set},
+            {"PART", &AbaqusReader::begin_part},         {"END PART", &AbaqusReader::end_part},
+            {"INSTANCE", &AbaqusReader::begin_instance}, {"END INSTANCE", &AbaqusReader::end_instance},
+            {"INCLUDE", &AbaqusReader::include}};
+        data_ = nullptr;
+        const auto found = known.find(keyword.name);
+        if (found != known.end()) return (this->*found->second)(keyword);
+        if (const char* why = abaqus_refusal(keyword.name))
+            lines_.fail(fmt::format("*{} is not read: {}", keyword.name, why), "write the mesh out with all its nodes and elements");
+        if (keyword.name != "HEADING" && keyword.name != "ASSEMBLY" && keyword.name != "END ASSEMBLY") passed_.insert("*" + keyword.name);
+    }
+
+    std::int64_t number(std::string_view field, const char* what)
+    {
+        const std::int64_t value = integer_field(lines_, field, what);
+        if (value < 1 || value >= NumberedMesh::numbers)
+            lines_.fail(fmt::format("{} where {} was expected", value, what), "numbers begin at 1");
+        return value;
+    }
+
+    void begin_nodes(const AbaqusKeyword& keyword)
+    {
+        if (keyword.has("SYSTEM") && in_capitals(keyword.of("SYSTEM")) != "R")
+            lines_.fail("nodes in a system of their own are not read", "write the nodes in rectangular coordinates");
+        set_ = keyword.has("NSET") ? &current().node_set(in_capitals(keyword.of("NSET")), keyword.of("NSET")) : nullptr;
+        data_ = &AbaqusReader::read_node;
+    }
+
+    void read_node()
+    {
+        const auto fields = comma_fields(lines_.text());
+        const std::int64_t node = number(fields[0], "the number of a node");
+        Vector3d at;
+        for (std::size_t i = 1; i < std::min<std::size_t>(fields.size(), 4); ++i)
+            at[static_cast<int>(i) - 1] = real_field(lines_, fields[i], "a coordinate");
+        current().add_node({node, at, lines_.place()});
+        if (set_ != nullptr) set_->members.push_back({node, node, 1, "", false, lines_.place()});
+    }
+
+    void begin_elements(const AbaqusKeyword& keyword)
+    {
+        kind_ = abaqus_element(lines_, keyword.of("TYPE"));
+        if (!kind_.shape) ++left_out_[in_capitals(keyword.of("TYPE"))];
+        set_ = keyword.has("ELSET") ? &current().element_set(in_capitals(keyword.of("ELSET")), keyword.of("ELSET")) : nullptr;
+        data_ = &AbaqusReader::read_element;
+    }
+
+    /// An element's numbers: its own and its nodes'; a line that ends in a comma goes on in the next.
+    void read_element()
+    {
+        const DeckPlace place = lines_.place();
+        std::vector<std::int64_t> numbers;
+        bool more = true;
+        while (more && numbers.size() < static_cast<std::size_t>(kind_.corners) + 1) {
+            for (const std::string_view field : comma_fields(lines_.text())) numbers.push_back(number(field, "the number of a node"));
+            more = numbers.size() < static_cast<std::size_t>(kind_.corners) + 1 && trimmed_field(lines_.text()).ends_with(',') &&
+                   lines_.next();
+        }
+        if (numbers.size() != static_cast<std::size_t>(kind_.corners) + 1)
+            lines_.fail_at(place, fmt::format("an element of this type has {} nodes, {} are given", kind_.corners, numbers.size() - 1),
+                           "correct the line, or export the mesh again");
+        NumberedMesh::Element element = shaped(numbers);
+        element.place = place;
+        current().add_element(element);
+        if (set_ != nullptr) set_->members.push_back({numbers[0], numbers[0], 1, "", false, place});
+    }
+
+    [[nodiscard]] NumberedMesh::Element shaped(const std::vector<std::int64_t>& numbers) const
+    {
+        std::array<std::int64_t, 8> corners{};
+        std::copy(numbers.begin() + 1, numbers.end(), corners.begin());
+        if (kind_.corners == 4 && kind_.shape == ElementShape::quadrilateral)
+            return surface_element(lines_, numbers[0], {corners[0], corners[1], corners[2], corners[3]});
+        if (kind_.corners == 8) return solid_element(lines_, numbers[0], corners);
+        return {numbers[0], kind_.shape, kind_.corners, corners, {}};
+    }
+
+    /// Begins *NSET or *ELSET; one of an assembly may belong to an instance.
+    void begin_set(const AbaqusKeyword& keyword)
+    {
+        of_nodes_ = keyword.name == "NSET";
+        const std::string& name = keyword.of(keyword.name);
+        if (name.empty()) lines_.fail("the set has no name", fmt::format("write *{0}, {0}=NAME", keyword.name));
+        set_ = of_nodes_ ? &current().node_set(in_capitals(name), name) : &current().element_set(in_capitals(name), name);
+        set_instance_ = in_capitals(keyword.of("INSTANCE"));
+        if (!set_instance_.empty() && !instances_.contains(set_instance_))
+            lines_.fail(fmt::format("there is no instance '{}'", keyword.of("INSTANCE")), "name an instance that stands before");
+        if (of_nodes_ && keyword.has("ELSET")) set_->members.push_back({0, 0, 1, in_capitals(keyword.of("ELSET")), true, lines_.place()});
+        data_ = keyword.has("GENERATE") ? &AbaqusReader::read_range : &AbaqusReader::read_members;
+    }
+
+    [[nodiscard]] std::int64_t shift_of(const std::string& instance) const
+    {
+        return instance.empty() ? 0 : instances_.at(instance) * NumberedMesh::numbers;
+    }
+
+    void read_range()
+    {
+        const auto fields = comma_fields(lines_.text());
+        const std::int64_t first = number(fields[0], "the first of a range");
+        const std::int64_t last = fields.size() > 1 ? number(fields[1], "the last of a range") : first;
+        const std::int64_t step = fields.size() > 2 ? number(fields[2], "the step of a range") : 1;
+        const std::int64_t shift = shift_of(set_instance_);
+        set_->members.push_back({first + shift, last + shift, step, "", false, lines_.place()});
+    }
+
+    /// Numbers, or names of sets; in an assembly "instance.number" and "instance.set", too.
+    void read_members()
+    {
+        for (const std::string_view field : comma_fields(lines_.text())) {
+            if (field.empty()) continue;
+            const std::string key = in_capitals(field);
+            const std::size_t dot = key.rfind('.');
+            const std::string before = dot == std::string::npos ? "" : key.substr(0, dot);
+            const bool of_instance = instances_.contains(before);
+            const std::string_view own = of_instance ? field.substr(dot + 1) : field;
+            const bool is_number = !own.empty() && own.find_first_not_of("0123456789") == std::string_view::npos;
+            SetMember member{0, 0, 1, "", false, lines_.place()};
+            if (is_number)
+                member.first = member.last = number(own, "the number of a member") + shift_of(of_instance ? before : set_instance_);
+            else
+                member.set = set_instance_.empty() ? key : set_instance_ + "." + key;
+            set_->members.push_back(member);
+        }
+    }
+
+    void begin_part(const AbaqusKeyword& keyword)
+    {
+        part_ = in_capitals(keyword.of("NAME"));
+        if (part_.empty() || parts_.contains(part_))
+            lines_.fail(fmt::format("the part's name '{}' is {}", keyword.of("NAME"), part_.empty() ? "missing" : "given twice"),
+                        "give each part a name of its own: *PART, NAME=...");
+        in_part_ = true;
+        parts_[part_];
+    }
+
+    void end_part(const AbaqusKeyword&) { in_part_ = false; }
+
+    void begin_instance(const AbaqusKeyword& keyword)
+    {
+        instance_ = keyword.of("NAME");
+        const std::string part = in_capitals(keyword.of("PART"));
+        if (instance_.empty() || instances_.contains(in_capitals(instance_)))
+            lines_.fail(fmt::format("the instance's name '{}' is {}", instance_, instance_.empty() ? "missing" : "given twice"),
+                        "give each instance a name of its own: *INSTANCE, NAME=..., PART=...");
+        if (!part.empty() && !parts_.contains(part))
+            lines_.fail(fmt::format("instance '{}' is of part '{}', which is not there", instance_, keyword.of("PART")),
+                        "define the part before its instances");
+        own_ = part.empty() ? NumberedMesh{} : parts_.at(part);
+        in_instance_ = true;
+        placing_ = {};
+        placing_lines_ = 0;
+        data_ = &AbaqusReader::read_placing;
+    }
+
+    /// First line: how far the instance is moved; second: two points of the line it is turned about, and the angle in degrees.
+    void read_placing()
+    {
+        const auto fields = comma_fields(lines_.text());
+        std::array<double, 7> values{};
+        for (std::size_t i = 0; i < std::min(fields.size(), values.size()); ++i)
+            values[i] = real_field(lines_, fields[i], "where an instance is");
+        if (placing_lines_++ == 0) {
+            placing_.shift = {values[0], values[1], values[2]};
+            return;
+        }
+        placing_.from = {values[0], values[1], values[2]};
+        placing_.axis = Vector3d{values[3], values[4], values[5]} - placing_.from;
+        placing_.angle = values[6] * std::numbers::pi / 180;
+        if (placing_.angle != 0 && !(norm(placing_.axis) > 0))
+            lines_.fail("the line an instance is turned about has no direction", "give two points that differ, and the angle in degrees");
+    }
+
+    void end_instance(const AbaqusKeyword&)
+    {
+        if (!in_instance_) lines_.fail("*END INSTANCE without *INSTANCE", "the file may be damaged: export it again");
+        in_instance_ = false;
+        const auto index = static_cast<std::int64_t>(instances_.size()) + 1;
+        if (index >= std::numeric_limits<std::int64_t>::max() / NumberedMesh::numbers)
+            lines_.fail("too many instances", "join some of them");
+        instances_[in_capitals(instance_)] = index;
+        root_.add(own_, index * NumberedMesh::numbers, instance_, placing_);
+    }
+
+    void include(const AbaqusKeyword& keyword)
+    {
+        if (keyword.of("INPUT").empty()) lines_.fail("*INCLUDE names no file", "write *INCLUDE, INPUT=FILE");
+        lines_.include(keyword.of("INPUT"));
+    }
+
+    void add_remarks(Mesh& mesh) const
+    {
+        for (const auto& [type, blocks] : left_out_)
+            mesh.remarks.push_back(fmt::format("elements of type {} are not computed, only the sets of their nodes are kept{}", type,
+                                               type == "MASS" ? ": give their mass with point_masses" : ""));
+        if (!passed_.empty()) mesh.remarks.push_back(fmt::format("passed over: {}", fmt::join(passed_, ", ")));
+    }
+
+    DeckLines lines_;
+    NumberedMesh root_;
+    std::map<std::string, NumberedMesh> parts_;
+    std::map<std::string, std::int64_t> instances_;  ///< by name, from 1
+    std::string part_, instance_;                    ///< that is read
+    bool in_part_ = false, in_instance_ = false;
+    NumberedMesh own_;  ///< of the instance that is read
+    Placing placing_;
+    int placing_lines_ = 0;
+    Data data_ = nullptr;  ///< what reads the lines of the present keyword
+    NumberedMesh::Set* set_ = nullptr;
+    bool of_nodes_ = true;
+    std::string set_instance_;
+    AbaqusElement kind_;
+    std::map<std::string, int> left_out_;  ///< types of elements that are not kept
+    std::set<std::string> passed_;         ///< keywords that were not read
+};
+
+}  // namespace
+
+Mesh read_abaqus(Scanner scanner)
+{
+    return AbaqusReader(std::move(scanner)).read();
+}
+
+}  // namespace corpuscle
