@@ -58,7 +58,7 @@ void Recorder::add_probe(OutputPlan& plan, const Probe& probe) const
         const auto put = [&](const Vector3d& vector) {
             for (int a = 0; a < 3; ++a) values[column++] = vector[a];
         };
-        if (probe.displacement) put(nodes.position[probe.node] - nodes.reference[probe.node]);
+        if (probe.displacement) put(nodes.path().end[probe.node] - nodes.reference[probe.node]);
         if (probe.velocity) put(nodes.contact_velocity(probe.node));
     };
     plan.history.push_back(std::move(source));
@@ -119,7 +119,7 @@ void write_structure(Structure& structure, const VtkOptions& options, const std:
 {
     const std::vector<MeshElement> elements = cells(structure);
     const Field places = derived_field<Vector3d>("position", "m", "place", structure.nodes.size(),
-                                                 [&structure](std::size_t i) { return structure.nodes.position[i]; });
+                                                 [&structure](std::size_t i) { return structure.nodes.path().end[i]; });
     write_cells(path, places, cell_grid(elements), {node_fields(structure), element_fields(structure)}, options);
 }
 

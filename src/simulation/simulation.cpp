@@ -48,7 +48,7 @@ Passage difference(const Passage& now, const Passage& before)
 }  // namespace
 
 Simulation::Simulation(std::unique_ptr<Model> model, RunFolder folder, Resumed)
-    : model_(std::move(model)), folder_(std::move(folder)), recorder_(*model_)
+    : model_(std::move(model)), folder_(std::move(folder)), pace_(*model_), recorder_(*model_)
 {
     for (const Species& species : model_->gas.species) particles_at_start_[species.name] = 0;
     for (const Particle& particle : model_->gas.particles)
@@ -82,6 +82,7 @@ void Simulation::begin()
     prepare(model_->euler);
     model_->ledger.open(model_->held(0));
     clock_.restore(model_->start_time, 0, 0, 0);
+    pace_.begin(model_->start_time);
 }
 
 void Simulation::step()
@@ -89,7 +90,7 @@ void Simulation::step()
     Model& model = *model_;
     clock_.begin_step(next_step());
     phases_.time("burn", [&] { burn(); });
-    phases_.time("accelerate", [&] { model.ledger.add(accelerate(model.structure, clock_)); });
+    pace_.advance(clock_, phases_);
     phases_.time("wake", [&] { wake(model.gas, clock_); });
     phases_.time("redistribute", [&] { sort(model.gas); });
     phases_.time("follow", [&] { model.gas_structure.follow(); });
@@ -97,30 +98,24 @@ void Simulation::step()
     phases_.time("fly", [&] { fly(model.gas, clock_, model.walls()); });
     phases_.time("flow", [&] { flow(); });
     phases_.time("contact", [&] { model.ledger.add(model.gas_structure.apply(clock_)); });
-    phases_.time("load", [&] {
-        for (const auto& load : model.loads) model.ledger.add(load->apply(clock_));
-    });
-    phases_.time("resist", [&] { model.ledger.add(resist(model.structure, clock_)); });
     phases_.time("ledger", [&] { close_books(); });
     phases_.time("output", [&] { outputs_->write_due(clock_); });
     clock_.end_step();
+    work_.element_steps = pace_.clock().step() * model.structure.element_count();
     work_.particle_steps += model.gas.particles.size() - model.gas.sleeping.particles;
-    work_.element_steps += model.structure.element_count();
 }
 
-/// A step that every body allows. It is kept as long as it is neither too long nor much too short: central difference stays
-/// stable while its step is steady, but a step that wavers from one to the next can pump the structure's highest modes. Gases on a grid
-/// take theirs as it is.
+/// The step that gas and grid allow, fitted to the structure's own. That of the gas is kept as long as it is neither too long nor much too
+/// short, so that the structure's stays steady. Gases on a grid take theirs as it is.
 double Simulation::next_step()
 {
     constexpr double margin = 0.95, slack = 1.25;
-    const double gas = stable_step(model_->gas, clock_.time()), solid = stable_step(model_->structure);
-    const double cells = stable_step(model_->euler), left = model_->end_time - clock_.time();
-    double allowed = std::min(gas, solid);
-    if (!std::isfinite(allowed) && !std::isfinite(cells)) allowed = model_->end_time / 1000;
-    if (steady_step_ > allowed || allowed > slack * steady_step_) steady_step_ = margin * allowed;
-    step_set_by_ = cells <= steady_step_ ? "euler" : gas < solid ? "gas" : "structure";
-    return std::min({steady_step_, cells, left});
+    const double gas = stable_step(model_->gas, clock_.time()), cells = stable_step(model_->euler);
+    if (steady_step_ > gas || gas > slack * steady_step_) steady_step_ = margin * gas;
+    const double left = model_->end_time - clock_.time();
+    const double fitted = pace_.fit(clock_.time(), std::min(steady_step_, cells), left);
+    step_set_by_ = pace_.sets_step() ? "structure" : cells <= steady_step_ ? "euler" : "gas";
+    return fitted;
 }
 
 void Simulation::burn()
@@ -150,7 +145,7 @@ void Simulation::close_books()
     entered_asleep_ = model_->gas.sleeping.turned;
     model_->ledger.add(given_to_edges(model_->euler, entered_by_cells_));
     entered_by_cells_ = model_->euler.passages;
-    model_->ledger.close_step(model_->held(clock_.duration()));
+    model_->ledger.close_step(model_->held(pace_.clock().duration()));
     check_soundness();
 }
 
@@ -340,8 +335,8 @@ RestartContent Simulation::state()
 
 std::vector<FieldSet> Simulation::sets()
 {
-    std::vector<FieldSet> sets{corpuscle::state(model_->gas), corpuscle::state(model_->structure), model_->gas_structure.state(),
-                               corpuscle::state(model_->euler)};
+    std::vector<FieldSet> sets{corpuscle::state(model_->gas), corpuscle::state(model_->structure), pace_.state(),
+                               model_->gas_structure.state(), corpuscle::state(model_->euler)};
     for (std::size_t i = 0; i < model_->loads.size(); ++i) {
         sets.push_back(model_->loads[i]->state());
         sets.back().name = fmt::format("load {}: {}", i + 1, model_->loads[i]->name());

@@ -13,6 +13,7 @@
 #include "simulation/outputs.hpp"
 #include "simulation/phases.hpp"
 #include "simulation/recorder.hpp"
+#include "simulation/structure_pace.hpp"
 #include "simulation/summary.hpp"
 
 namespace corpuscle {
@@ -86,12 +87,13 @@ private:
     Clock clock_;
     Phases phases_;
     Work work_;
+    StructurePace pace_;
     Recorder recorder_;
     std::unique_ptr<Outputs> outputs_;
     FacePassages entered_;              ///< passages of the gas that are in the ledger
     EulerPassages entered_by_cells_{};  ///< those of the gases on a grid
     Passage entered_asleep_;            ///< what gas asleep was given, as it is in the ledger
-    double steady_step_ = 0;            ///< kept while it fits [s]
+    double steady_step_ = 0;            ///< of the gas, kept while it fits [s]
     std::string step_set_by_ = "gas";
     std::map<std::string, std::uint64_t> particles_at_start_;  ///< by species
     double wall_before_ = 0;                                   ///< of the run before it was resumed [s]

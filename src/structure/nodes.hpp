@@ -30,8 +30,11 @@ struct Nodes {
 
     [[nodiscard]] std::size_t size() const { return position.size(); }
 
-    /// Where the nodes are at both ends of the step.
-    [[nodiscard]] NodePath path() const { return {previous, position}; }
+    std::vector<Vector3d> path_start;  ///< at the ends of the gas's step, where those are not the ends of the structure's: else empty [m]
+    std::vector<Vector3d> path_end;    ///< [m]
+
+    /// Where the nodes are at both ends of the gas's step.
+    [[nodiscard]] NodePath path() const { return {path_start.empty() ? previous : path_start, path_end.empty() ? position : path_end}; }
 
     /// Velocity a contact meets: with the impulses that wait for the next accelerate. [m/s]
     [[nodiscard]] Vector3d contact_velocity(std::uint32_t node) const
