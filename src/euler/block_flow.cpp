@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "euler/block_store.hpp"
+#include "euler/block_walls.hpp"
 #include "euler/hllc.hpp"
 #include "euler/mixed_cells.hpp"
-#include "euler/relaxation.hpp"
 #include "euler/with_count.hpp"
 #include "parallel/loops.hpp"
 
@@ -13,8 +14,6 @@ namespace corpuscle {
 
 namespace {
 
-/// Materials with less than this share of a cell do not push others there.
-constexpr double least_relaxed = 1e-8;
 /// A face state with less than this share of the cell's pressure or density takes the cell's.
 constexpr double least_left = 0.1;
 /// Bounds of the limiter below: steeper for densities, whose jumps at contacts would smear; the plainest for velocity and pressure, which
@@ -41,7 +40,7 @@ class BlockFlow {
 
 public:
     BlockFlow(EulerTile& tile, EulerGrid& grid, const EulerBlock& block, double length)
-        : tile_(tile), grid_(grid), block_(block), length_(length)
+        : tile_(tile), grid_(grid), block_(block), length_(length), walls_(tile, grid, block)
     {
         for (std::size_t m = 0; m < M; ++m) laws_[m] = grid.laws[tile.materials[m]];
         tile.state.resize(P::count * tile.size);
@@ -61,6 +60,7 @@ public:
         for (int d = 0; d < 3; ++d) {
             if (tile_.axes[d].live) flow_along(d);
         }
+        if (walls_.any()) walls_.template add_sources<M>(burning_);
         store();
         return passages_;
     }
@@ -173,6 +173,7 @@ private:
                 slope[i] = inside ? slope[i] : 0.0;
             });
         }
+        if (walls_.any()) walls_.flatten(d, first, count, slope);
     }
 
     /// The axis' geometry along a row: as it is along x, the one value of the row across it.
@@ -248,7 +249,7 @@ private:
         for_rows(1, [&](std::ptrdiff_t j, std::ptrdiff_t k) {
             for (std::ptrdiff_t i = -margin(0, 1); i < nx + margin(0, 1); ++i) {
                 const std::size_t c = tile_.at(i, j, k);
-                if (!finder.is_mixed(c)) continue;
+                if (!finder.is_mixed(c) || walls_.beside_wall(c)) continue;
                 tile_.mixed[c] = static_cast<std::int32_t>(tile_.mixed_cells.size());
                 tile_.mixed_cells.push_back(finder.mixed_cell(c, {i, j, k}));
             }
@@ -345,6 +346,7 @@ private:
                 find_face_states(d, 0, j, k, tile_.axes[0].cells, faces_[2], *behind);
                 if (n >= 0) {
                     find_fluxes<M>(laws_, d, tile_.axes[0].cells, rows_at(*before, 0), rows_at(faces_[2], 0), fluxes_);
+                    if (walls_.any()) walls_.template narrow<M>(d, d == 1 ? n : o, d == 1 ? o : n, tile_.axes[0].cells, fluxes_);
                     if (burning_) find_unburnt_fluxes(tile_.at(0, j, k) - own.stride, tile_.at(0, j, k), tile_.axes[0].cells);
                     const auto face = static_cast<std::size_t>(n);
                     if (n > 0) add_across(tile_.at(0, j, k) - own.stride, -own.area[face] * own.inverse_volume[face - 1]);
@@ -370,6 +372,7 @@ private:
         for_rows(0, [&](std::ptrdiff_t j, std::ptrdiff_t k) {
             find_face_states(0, -1, j, k, count + 2, faces_[0], faces_[1]);
             find_fluxes<M>(laws_, 0, count + 1, rows_at(faces_[1], 0), rows_at(faces_[0], 1), fluxes_);
+            if (walls_.any()) walls_.template narrow<M>(0, j, k, count + 1, fluxes_);
             if (burning_) find_unburnt_fluxes(tile_.at(-1, j, k), tile_.at(0, j, k), count + 1);
             add_along(tile_.at(0, j, k));
             if (on_edge(0, 0)) pass_edge(0, 0, 0, row_area(j, k));
@@ -493,89 +496,17 @@ private:
     /// Writes the block's cells as they are after the step.
     void store()
     {
+        BlockStore<M> to(tile_, grid_, block_, laws_, length_);
         for_rows(0, [&](std::ptrdiff_t j, std::ptrdiff_t k) {
-            const std::size_t from = tile_.at(0, j, k);
-            const std::size_t to =
-                grid_.cell(block_.begin[0], block_.begin[1] + static_cast<std::size_t>(j), block_.begin[2] + static_cast<std::size_t>(k));
-            for (std::size_t m = 0; m < M; ++m)
-                store_row(grid_.now.mass, grid_.next.mass, tile_.materials[m], change(C::mass(m)) + from, to);
-            for (int d = 0; d < 3; ++d)
-                store_row(grid_.now.motion, grid_.next.motion, static_cast<std::size_t>(d), change(C::motion(d)) + from, to);
-            add_row(grid_.now.energy.data() + to, change(C::energy) + from, grid_.next.energy.data() + to);
-            store_shares(from, to);
-            keep_others(to);
-            for (std::size_t m = 0; burning_ && m < M; ++m) {
-                if (grid_.now.unburnt[tile_.materials[m]].empty()) continue;
-                store_row(grid_.now.unburnt, grid_.next.unburnt, tile_.materials[m], unburnt_change(m) + from, to);
-            }
+            to.store_row(static_cast<std::size_t>(j), static_cast<std::size_t>(k), tile_.at(0, j, k), burning_);
         });
-    }
-    template <class Arrays>
-    void store_row(const Arrays& now, Arrays& next, std::size_t which, const double* rate, std::size_t to)
-    {
-        add_row(now[which].data() + to, rate, next[which].data() + to);
-    }
-    void add_row(const double* now, const double* rate, double* next)
-    {
-        for_simd(tile_.axes[0].cells, [&](std::size_t i) { next[i] = now[i] + length_ * rate[i]; });
-    }
-    /// What is not in sight stays.
-    void keep_others(std::size_t to)
-    {
-        for (std::size_t m = 0; m < grid_.materials.size(); ++m) {
-            const bool seen = std::find(tile_.materials.begin(), tile_.materials.end(), m) != tile_.materials.end();
-            if (!seen) std::copy_n(grid_.now.mass[m].data() + to, tile_.axes[0].cells, grid_.next.mass[m].data() + to);
-            if ((!seen || M == 1) && m < grid_.now.share.size()) {
-                std::copy_n(grid_.now.share[m].data() + to, tile_.axes[0].cells, grid_.next.share[m].data() + to);
-            }
-        }
-    }
-    /// Shares after the step: between 0 and 1, and such that the gases of a mixed cell are in one pressure.
-    void store_shares(std::size_t from, std::size_t to)
-    {
-        if (M == 1) return;
-        EulerRows<M> share;
-        const std::size_t count = tile_.axes[0].cells;
-        std::fill_n(share[M - 1].data(), count, 1.0);
-        for (std::size_t m = 0; m + 1 < M; ++m) {
-            const double *now = state(P::share(m)) + from, *rate = change(C::share(m)) + from;
-            for_simd(count, [&](std::size_t i) {
-                const double next = now[i] + length_ * rate[i], positive = next > 0 ? next : 0.0;
-                share[m][i] = positive < 1 ? positive : 1.0;
-                share[M - 1][i] -= share[m][i];
-            });
-        }
-        for (std::size_t i = 0; i < count; ++i) {
-            for (std::size_t m = 0; m + 1 < M; ++m) {
-                if (share[m][i] > least_relaxed && share[M - 1][i] > least_relaxed)
-                    relax(share[m][i], share[M - 1][i], m, from + i, to + i);
-            }
-        }
-        for (std::size_t m = 0; m < M; ++m) {
-            if (tile_.materials[m] < grid_.now.share.size())
-                std::copy_n(share[m].data(), count, grid_.next.share[tile_.materials[m]].data() + to);
-        }
-    }
-    /// Brings material m and the last one in sight to one pressure in a cell.
-    void relax(double& share, double& rest, std::size_t m, std::size_t from, std::size_t to)
-    {
-        const PhasePart first = part_after(m, share, from, to), second = part_after(M - 1, rest, from, to);
-        if (!(first.mass > 0 && second.mass > 0)) return;
-        const double whole = share + rest;
-        share = relaxed_share(first, second);
-        rest = whole - share;
-    }
-    [[nodiscard]] PhasePart part_after(std::size_t m, double share, std::size_t from, std::size_t to)
-    {
-        const double before = state(P::share(m))[from], x = laws_[m].inverse_gamma(state(P::density(m))[from]);
-        const double energy = before * (x * state(P::pressure)[from] - state(P::cold(m))[from]);
-        return {&laws_[m], share, grid_.next.mass[tile_.materials[m]][to], energy + length_ * change(C::part(m))[from]};
     }
 
     EulerTile& tile_;
     EulerGrid& grid_;
     const EulerBlock& block_;
     double length_;
+    BlockWalls walls_;
     bool burning_ = false;
     std::array<MieGrueneisen, M> laws_;
     std::array<FaceRows, 3> faces_;

@@ -5,6 +5,7 @@
 
 #include "euler/block_flow.hpp"
 #include "euler/burn.hpp"
+#include "euler/cut.hpp"
 #include "parallel/loops.hpp"
 
 namespace corpuscle {
@@ -119,7 +120,7 @@ std::vector<std::size_t> active_blocks(const EulerGrid& grid)
 {
     std::vector<std::size_t> numbers;
     for (std::size_t b = 0; b < grid.blocks.size(); ++b) {
-        if (grid.blocks[b].active) numbers.push_back(b);
+        if (grid.blocks[b].active || grid.blocks[b].walled) numbers.push_back(b);
     }
     return numbers;
 }
@@ -155,7 +156,7 @@ void survey(EulerGrid& grid, const std::vector<std::size_t>& blocks, bool first,
 {
     for_each_with(tiles, blocks.size(), [&](EulerTile& tile, std::size_t n) {
         EulerBlock& block = grid.blocks[blocks[n]];
-        if (first || block.quiet) block.quiet = is_quiet(grid, block);
+        if (first || block.quiet) block.quiet = !block.walled && is_quiet(grid, block);
         block.materials = materials_in(grid, block);
         lay_tile(tile, grid, block);
         tile.materials.clear();
@@ -196,9 +197,10 @@ EulerAmount flow(EulerGrid& grid, const Clock& clock)
         for (std::size_t f = 0; f < euler_face_count; ++f) grid.passages[f] += part[f];
     }
     for (const EulerBlock& block : grid.blocks) {
-        if (!block.active) press_edges(grid, block, clock.duration());
+        if (!block.active && !block.walled) press_edges(grid, block, clock.duration());
     }
     std::swap(grid.now, grid.next);
+    if (grid.walls.any()) end_cut(grid.walls);
     const EulerAmount released = burn(grid, clock.end());
     survey(grid, blocks, false, tiles);
     grid.worked += active_cells(grid);

@@ -112,6 +112,17 @@ Vector3d EulerGrid::middle(std::size_t cell) const
 
 double EulerGrid::volume(std::size_t cell) const
 {
+    return walls.any() ? walls.room[cell] * whole_volume(cell) : whole_volume(cell);
+}
+
+std::size_t EulerGrid::face_number(int axis, const std::array<std::size_t, 3>& at) const
+{
+    const std::size_t nx = axes[0].cells() + (axis == 0 ? 1 : 0), ny = axes[1].cells() + (axis == 1 ? 1 : 0);
+    return at[0] + nx * (at[1] + ny * at[2]);
+}
+
+double EulerGrid::whole_volume(std::size_t cell) const
+{
     const auto at = place(cell);
     return round() * axes[0].volume[at[0]] * axes[1].volume[at[1]] * axes[2].volume[at[2]];
 }

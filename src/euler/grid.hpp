@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "euler/axis.hpp"
+#include "euler/walls.hpp"
 #include "fields/field.hpp"
 #include "laws/eos/equation_of_state.hpp"
 #include "laws/eos/mie_grueneisen.hpp"
@@ -91,6 +92,7 @@ struct EulerBlock {
     std::array<std::size_t, 3> begin{}, end{};
     bool quiet = false;           ///< all cells are in one state at rest, the state in which they were laid out
     bool active = false;          ///< computed: not quiet, or next to one that is not
+    bool walled = false;          ///< walls are in it or in the cells that it sees; never quiet
     std::uint32_t materials = 0;  ///< bit m: material m is in a cell
     double signal = 0;            ///< largest sum over the axes of (|u| + c) area/volume, with the larger face, of a cell [1/s]
 };
@@ -112,6 +114,7 @@ struct EulerGrid {
     std::vector<EulerMaterial> materials;
     std::vector<MieGrueneisen> laws;  ///< of the materials, made for loops
 
+    EulerWalls walls;      ///< that cut the grid
     EulerState now, next;  ///< `next` is room for the step to come; quiet blocks are alike in both
     std::vector<EulerBlock> blocks;
     std::array<std::size_t, 3> block_counts{};
@@ -128,6 +131,9 @@ struct EulerGrid {
     [[nodiscard]] std::array<std::size_t, 3> place(std::size_t cell) const;  ///< numbers along the axes
     [[nodiscard]] Vector3d middle(std::size_t cell) const;                   ///< [m]
     [[nodiscard]] double volume(std::size_t cell) const;                     ///< of all that the cell stands for, the whole way round [m3]
+    [[nodiscard]] double whole_volume(std::size_t cell) const;               ///< that it would have without walls [m3]
+    /// Number of the lower face of the cell at a place, among all faces across an axis; the place may be one beyond the last cell.
+    [[nodiscard]] std::size_t face_number(int axis, const std::array<std::size_t, 3>& place) const;
     /// All round what the axes leave out: 1, 2 pi, 4 pi.
     [[nodiscard]] double round() const;
 };

@@ -50,6 +50,7 @@ struct EulerTile {
     std::vector<double> unburnt_change;  ///< of the mass that waits, per volume and time
     std::vector<std::int32_t> mixed;     ///< number of a mixed cell, -1 elsewhere
     std::vector<MixedCell> mixed_cells;
+    std::vector<std::uint8_t> clear;  ///< where walls are in sight: bit d of a cell, no wall shuts its faces across axis d
 
     /// Number of a cell by its place in the block; halo cells have places below 0 or beyond the end.
     [[nodiscard]] std::size_t at(std::ptrdiff_t i, std::ptrdiff_t j, std::ptrdiff_t k) const

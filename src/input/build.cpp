@@ -127,7 +127,7 @@ std::unique_ptr<Model> build(const CaseDescription& description, CaseSurvey& sur
     for (const ProbeInput& probe : description.probes) model->probes.push_back(make_probe(probe, model->structure, survey.warnings));
     if (survey.euler) model->euler = at_place(description.euler->places.own, [&] { return fill_grid(*survey.euler); });
     for (const GaugeInput& gauge : description.gauges)
-        model->gauges.push_back(survey.euler ? make_grid_gauge(gauge, model->euler) : make_gauge(gauge, *model));
+        model->gauges.push_back(survey.euler && !gauge.facets ? make_grid_gauge(gauge, model->euler) : make_gauge(gauge, *model));
     model->known_blast = known_blast(description);
     return model;
 }

@@ -41,16 +41,26 @@ void check_gauges(const CaseDescription& description, Problems& problems)
     }
 }
 
-/// The grid stands alone: no particles beside it, no structure in its flow.
-void check_grid_alone(const CaseDescription& description, Problems& problems)
+/// The grid stands alone: no particles beside it, and parts only in space.
+void check_grid(const CaseDescription& description, Problems& problems)
 {
     if (!description.euler) return;
     if (description.gas)
         problems.add("there are both [gas] and [euler]: the same gas would be there twice",
                      "expected one of them: particles ([gas]) or a grid ([euler])", description.euler->places.own);
-    for (const PartInput& part : description.parts)
-        problems.add(fmt::format("part '{}' stands beside [euler], whose grid does not meet structures", part.name),
-                     "expected [gas] in place of [euler], or a rigid edge of the grid in place of the part", part.places.own);
+    const bool round = description.euler->symmetry != EulerSpace::planar;
+    for (const PartInput& part : description.parts) {
+        if (round)
+            problems.add(fmt::format("part '{}' stands beside [euler] with a symmetry: parts meet grids in space only", part.name),
+                         "expected [euler] without symmetry (planes of symmetry are rigid edges), or [gas] in its place", part.places.own);
+        else if (part.element.is_solid())
+            problems.add(
+                fmt::format("part '{}' of solids stands beside [euler], whose grid meets shells and rigid surfaces only", part.name),
+                "expected shells, a rigid surface, or [gas] in place of [euler]", part.places.own);
+        else if (description.euler->start == StartRule::spherical)
+            problems.add(fmt::format("part '{}' stands beside [euler] that starts spherical", part.name),
+                         "expected start = \"detonation\", or [gas] in place of [euler]", description.euler->places.of("start"));
+    }
 }
 
 void check_whole(const CaseDescription& description, Problems& problems)
@@ -83,7 +93,7 @@ void check_names(const CaseDescription& description)
                          probe.places.of("quantities"));
     }
     check_gauges(description, problems);
-    check_grid_alone(description, problems);
+    check_grid(description, problems);
     check_whole(description, problems);
     problems.raise();
 }

@@ -44,7 +44,10 @@ std::vector<Box> solid_boxes(const Structure& structure)
 
 }  // namespace
 
-Model::Model(Gas gas_, Structure structure_) : gas(std::move(gas_)), structure(std::move(structure_)), gas_structure(gas, structure) {}
+Model::Model(Gas gas_, Structure structure_)
+    : gas(std::move(gas_)), structure(std::move(structure_)), gas_structure(gas, structure), grid_walls(euler, structure)
+{
+}
 
 Holding Model::held(double duration) const
 {

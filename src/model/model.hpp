@@ -7,6 +7,7 @@
 
 #include "contact/conwep_load.hpp"
 #include "contact/gas_structure.hpp"
+#include "contact/grid_walls.hpp"
 #include "euler/grid.hpp"
 #include "gas/gas.hpp"
 #include "model/ledger.hpp"
@@ -31,6 +32,7 @@ public:
     EulerGrid euler;  ///< without cells, unless the case has gases on a grid
     Structure structure;
     GasStructureContact gas_structure;
+    GridWalls grid_walls;
     std::vector<std::unique_ptr<Contact>> loads;  ///< contacts with the world outside: ConWep, ...
     Ledger ledger;
 

@@ -123,7 +123,7 @@ Gauges::Load Gauges::load_on(const PartGauge& gauge) const
     Load load;
     for (std::size_t f = 0; f < facets.size(); ++f) {
         if (facets[f].part != gauge.part) continue;
-        Vector3d impulse = model_.gas_structure.facet_impulse()[f];
+        Vector3d impulse = model_.gas_structure.facet_impulse()[f] + model_.grid_walls.facet_impulse()[f];
         for (const auto& other : model_.loads) impulse += other->facet_impulse()[f];
         const Vector3d& squares = model_.gas_structure.facet_squares()[f];
         load.impulse -= dot(impulse, normalized(area_vector(structure, facets[f])));

@@ -79,6 +79,7 @@ void Simulation::begin()
     lay_to_sleep(model_->gas, model_->walls());
     sort(model_->gas);
     survey(model_->gas);
+    model_->grid_walls.begin();
     prepare(model_->euler);
     model_->ledger.open(model_->held(0));
     clock_.restore(model_->start_time, 0, 0, 0);
@@ -96,6 +97,7 @@ void Simulation::step()
     phases_.time("follow", [&] { model.gas_structure.follow(); });
     phases_.time("collide", [&] { collide(model.gas, clock_, model.walls()); });
     phases_.time("fly", [&] { fly(model.gas, clock_, model.walls()); });
+    phases_.time("walls", [&] { model.ledger.add(model.grid_walls.apply(clock_)); });
     phases_.time("flow", [&] { flow(); });
     phases_.time("contact", [&] { model.ledger.add(model.gas_structure.apply(clock_)); });
     phases_.time("ledger", [&] { close_books(); });
@@ -110,7 +112,7 @@ void Simulation::step()
 double Simulation::next_step()
 {
     constexpr double margin = 0.95, slack = 1.25;
-    const double gas = stable_step(model_->gas, clock_.time()), cells = stable_step(model_->euler);
+    const double gas = stable_step(model_->gas, clock_.time()), cells = std::min(stable_step(model_->euler), model_->grid_walls.stable_step());
     if (steady_step_ > gas || gas > slack * steady_step_) steady_step_ = margin * gas;
     const double left = model_->end_time - clock_.time();
     const double fitted = pace_.fit(clock_.time(), std::min(steady_step_, cells), left);
@@ -288,7 +290,7 @@ PartSummary Simulation::summarize_part(std::uint32_t p) const
     const std::vector<Facet>& facets = model_->structure.surface.facets;
     for (std::size_t f = 0; f < facets.size(); ++f) {
         if (facets[f].part != p) continue;
-        summary.impulse += model_->gas_structure.facet_impulse()[f];
+        summary.impulse += model_->gas_structure.facet_impulse()[f] + model_->grid_walls.facet_impulse()[f];
         for (const auto& load : model_->loads) summary.impulse += load->facet_impulse()[f];
     }
     return summary;
@@ -336,7 +338,7 @@ RestartContent Simulation::state()
 std::vector<FieldSet> Simulation::sets()
 {
     std::vector<FieldSet> sets{corpuscle::state(model_->gas), corpuscle::state(model_->structure), pace_.state(),
-                               model_->gas_structure.state(), corpuscle::state(model_->euler)};
+                               model_->gas_structure.state(), corpuscle::state(model_->euler), model_->grid_walls.state()};
     for (std::size_t i = 0; i < model_->loads.size(); ++i) {
         sets.push_back(model_->loads[i]->state());
         sets.back().name = fmt::format("load {}: {}", i + 1, model_->loads[i]->name());
@@ -362,6 +364,7 @@ void Simulation::take_up()
     model_->gas.collisions = file.count("collisions");
     model_->structure.force_work = file.number("force_work");
     work_ = {file.count("particle_steps"), file.count("element_steps")};
+    model_->grid_walls.begin();
     prepare(model_->euler);
     model_->euler.worked = file.count("cell_steps");
     wall_before_ = file.number("wall_seconds");

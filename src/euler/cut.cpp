@@ -1,0 +1,387 @@
+#include "euler/cut.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace corpuscle {
+
+namespace {
+
+/// Least room of a cell between walls that face each other, over its volume without walls.
+constexpr double least_room = 0.2;
+/// Least part of a neighbour that a cell begins with on its new side, if its neighbours have had no room in it.
+constexpr double least_lent = 0.05;
+
+/// The faces of a cell: six, lower and upper along each axis. Whether each is open.
+using OpenFaces = std::array<bool, 6>;
+
+void make_arrays(EulerGrid& grid)
+{
+    EulerWalls& walls = grid.walls;
+    if (walls.any()) return;
+    walls.room.assign(grid.cells(), 1.0);
+    walls.room_next = walls.room;
+    walls.source_of.assign(grid.cells(), -1);
+    for (int d = 0; d < 3; ++d) {
+        std::array<std::size_t, 3> end{grid.axes[0].cells(), grid.axes[1].cells(), grid.axes[2].cells()};
+        ++end[static_cast<std::size_t>(d)];
+        walls.open[static_cast<std::size_t>(d)].assign(end[0] * end[1] * end[2], 1.0);
+        walls.shut[static_cast<std::size_t>(d)].assign(end[0] * end[1] * end[2], -1);
+    }
+}
+
+/// Place of the cell above a face from the face's number.
+std::array<std::size_t, 3> place_of_face(const EulerGrid& grid, int d, std::size_t face)
+{
+    const std::size_t nx = grid.axes[0].cells() + (d == 0 ? 1 : 0), ny = grid.axes[1].cells() + (d == 1 ? 1 : 0);
+    return {face % nx, face / nx % ny, face / nx / ny};
+}
+
+/// The shut face that some crossings between the same two cells make; `near_lower` and `near_upper` are the outermost of them.
+WallFace make_face(const EulerGrid& grid, const WallCrossing& near_lower, const WallCrossing& near_upper)
+{
+    const int d = near_lower.axis;
+    const EulerAxis& axis = grid.axes[static_cast<std::size_t>(d)];
+    WallFace face{near_lower, near_upper, no_cell, no_cell, place_of_face(grid, d, near_lower.face), 0, 0, 0, {}, {}};
+    const std::size_t at = face.place[static_cast<std::size_t>(d)];
+    std::array<std::size_t, 3> below = face.place;
+    if (at > 0) below[static_cast<std::size_t>(d)] = at - 1, face.lower = grid.cell(below[0], below[1], below[2]);
+    if (at < axis.cells()) face.upper = grid.cell(face.place[0], face.place[1], face.place[2]);
+    const double plane = axis.faces[at];
+    face.lower_length = near_lower.place - (at > 0 ? axis.middle(at - 1) : plane);
+    face.upper_length = (at < axis.cells() ? axis.middle(at) : plane) - near_upper.place;
+    const bool inside = face.lower != no_cell && face.upper != no_cell;
+    face.shift = inside ? 0.5 * (near_lower.place + near_upper.place) - plane : 0;
+    face.normal = normalized(near_lower.normal + near_upper.normal);
+    double breadth = 1;
+    for (int e = 0; e < 3; ++e) {
+        if (e != d)
+            breadth *= grid.axes[static_cast<std::size_t>(e)].width(
+                std::min(face.place[static_cast<std::size_t>(e)], grid.axes[static_cast<std::size_t>(e)].cells() - 1));
+    }
+    face.area[d] = breadth;
+    return face;
+}
+
+/// Opens all faces again.
+void clear(EulerWalls& walls)
+{
+    for (const WallFace& face : walls.faces) walls.shut[face.near_lower.axis][face.near_lower.face] = -1;
+    for (const std::size_t cell : walls.touched) walls.room_next[cell] = 1;
+    for (const auto& [axis, face] : walls.widened) walls.open[axis][face] = 1;
+    walls.faces.clear();
+    walls.widened.clear();
+}
+
+void shut_faces(EulerGrid& grid, const std::vector<WallCrossing>& crossings)
+{
+    EulerWalls& walls = grid.walls;
+    for (std::size_t first = 0; first < crossings.size();) {
+        std::size_t last = first;
+        const auto same = [&](const WallCrossing& other) {
+            return other.axis == crossings[first].axis && other.face == crossings[first].face;
+        };
+        while (last + 1 < crossings.size() && same(crossings[last + 1])) ++last;
+        walls.shut[crossings[first].axis][crossings[first].face] = static_cast<std::int32_t>(walls.faces.size());
+        walls.faces.push_back(make_face(grid, crossings[first], crossings[last]));
+        first = last + 1;
+    }
+}
+
+/// Each shut face moves the cells' common boundary to the wall, by the square of the normal's part along the axis: with a plane wall the
+/// room on each side, and what a moving wall sweeps, are then exact in sum, and every cell keeps half its volume or more.
+void find_room(EulerGrid& grid)
+{
+    EulerWalls& walls = grid.walls;
+    std::vector<std::size_t> touched;
+    for (const WallFace& face : walls.faces) {
+        const int d = face.near_lower.axis;
+        const double share = face.normal[d] * face.normal[d];
+        const auto widen = [&](std::size_t cell, double length) {
+            const EulerAxis& axis = grid.axes[static_cast<std::size_t>(d)];
+            const std::size_t at = grid.place(cell)[static_cast<std::size_t>(d)];
+            walls.room_next[cell] += share * (length - 0.5 * axis.width(at)) / axis.width(at);
+            touched.push_back(cell);
+        };
+        if (face.lower == no_cell || face.upper == no_cell) continue;
+        widen(face.lower, face.lower_length);
+        widen(face.upper, face.upper_length);
+    }
+    std::sort(touched.begin(), touched.end());
+    touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+    for (const std::size_t cell : touched) walls.room_next[cell] = std::max(walls.room_next[cell], least_room);
+    walls.touched = std::move(touched);
+}
+
+/// The faces of a cell that are open, the cells beyond, and how much of this cell's volume the cell beyond a shut face has had.
+struct Around {
+    OpenFaces open{};
+    std::array<std::size_t, 6> cell{};
+    std::array<double, 6> lent{};
+};
+double lent_beyond(const EulerGrid& grid, std::size_t d, std::size_t side, std::size_t number)
+{
+    const std::int32_t wall = grid.walls.shut[d][number];
+    if (wall < 0) return 0;
+    const WallFace& face = grid.walls.faces[static_cast<std::size_t>(wall)];
+    const std::size_t other = side == 0 ? face.lower : face.upper;
+    if (other == no_cell) return 0;
+    const double width = grid.axes[d].width(grid.place(other)[d]), length = side == 0 ? face.lower_length : face.upper_length;
+    return face.normal[static_cast<int>(d)] * face.normal[static_cast<int>(d)] * (length / width - 0.5);
+}
+Around around(const EulerGrid& grid, std::size_t cell)
+{
+    Around found;
+    const auto at = grid.place(cell);
+    for (std::size_t d = 0; d < 3; ++d) {
+        for (std::size_t side = 0; side < 2; ++side) {
+            auto face = at, next = at;
+            face[d] += side;
+            const bool edge = side == 0 ? at[d] == 0 : at[d] + 1 == grid.axes[d].cells();
+            if (!edge) next[d] = side == 0 ? at[d] - 1 : at[d] + 1;
+            found.cell[2 * d + side] = edge ? no_cell : grid.cell(next[0], next[1], next[2]);
+            const std::size_t number = grid.face_number(static_cast<int>(d), face);
+            found.open[2 * d + side] = !edge && grid.walls.shut[d][number] < 0;
+            found.lent[2 * d + side] = edge ? 0 : lent_beyond(grid, d, side, number);
+        }
+    }
+    return found;
+}
+
+/// All arrays of a state that count per volume.
+std::vector<std::vector<double>*> arrays_of(EulerState& state)
+{
+    std::vector<std::vector<double>*> arrays;
+    for (auto& a : state.mass) arrays.push_back(&a);
+    for (auto& a : state.motion) arrays.push_back(&a);
+    arrays.push_back(&state.energy);
+    for (auto& a : state.share) arrays.push_back(&a);
+    for (auto& a : state.unburnt)
+        if (!a.empty()) arrays.push_back(&a);
+    return arrays;
+}
+
+/// Cells that change sides.
+class SideChange {
+public:
+    SideChange(EulerGrid& grid, const std::vector<SweptCell>& swept) : grid_(grid), arrays_(arrays_of(grid.now))
+    {
+        for (const SweptCell& s : swept) cells_.push_back({s.cell, s.normal, around(grid, s.cell), {}, {}, false, false, {}, 0});
+    }
+
+    /// The walls have been moved: what the cells held goes to those beside them on the side they leave, and they share what those on the
+    /// other side have. Cells without such neighbours wait for others that change sides with them.
+    void carry_over()
+    {
+        if (cells_.empty()) return;
+        for (Cell& cell : cells_) {
+            cell.after = around(grid_, cell.cell).open;
+            for (const std::vector<double>* array : arrays_) cell.held.push_back((*array)[cell.cell]);
+            cell.room = grid_.walls.room[cell.cell];
+        }
+        for (int round = 0; round < 4; ++round) {
+            for (Cell& cell : cells_) {
+                if (!cell.given) give(cell);
+            }
+        }
+        for (Cell& cell : cells_) {
+            if (!cell.given) keep(cell);
+        }
+        for (int round = 0; round < 4; ++round) {
+            for (Cell& cell : cells_) {
+                if (cell.given && !cell.taken) take(cell);
+            }
+        }
+        for (Cell& cell : cells_) {
+            if (cell.given && !cell.taken) bare(cell);
+        }
+    }
+
+private:
+    struct Cell {
+        std::size_t cell;
+        Vector3d normal;
+        Around before;
+        OpenFaces after;
+        std::vector<double> held;  ///< its numbers before
+        bool given, taken;
+        std::vector<std::size_t> givers;
+        double room;
+    };
+
+    [[nodiscard]] Cell* changing(std::size_t cell)
+    {
+        const auto found = std::lower_bound(cells_.begin(), cells_.end(), cell, [](const Cell& c, std::size_t n) { return c.cell < n; });
+        return found != cells_.end() && found->cell == cell ? &*found : nullptr;
+    }
+    [[nodiscard]] static double weight(const Cell& cell, std::size_t face)
+    {
+        const double n = cell.normal[static_cast<int>(face / 2)];
+        return n * n + 1e-6;
+    }
+
+    /// Puts an amount of gas, with the numbers `held` in `room`, into a cell.
+    void put(std::size_t to, const std::vector<double>& held, double room)
+    {
+        double& own = grid_.walls.room[to];
+        const double whole = own + room;
+        for (std::size_t a = 0; a < arrays_.size(); ++a) {
+            double& value = (*arrays_[a])[to];
+            value = (value * own + held[a] * room) / whole;
+        }
+        own = whole;
+    }
+
+    /// Gives what a cell held to those beside it on its old side.
+    void give(Cell& cell)
+    {
+        double whole = 0;
+        const auto takes = [&](std::size_t f) { return cell.before.open[f] && !changing(cell.before.cell[f]); };
+        for (std::size_t f = 0; f < 6; ++f) whole += takes(f) ? weight(cell, f) : 0.0;
+        if (whole > 0) {
+            for (std::size_t f = 0; f < 6; ++f) {
+                if (takes(f))
+                    put(cell.before.cell[f], cell.held, cell.room * weight(cell, f) * volume_ratio(cell.cell, cell.before.cell[f]) / whole);
+            }
+            cell.given = true;
+            return;
+        }
+        for (std::size_t f = 0; f < 6; ++f) {  // by way of another that changes sides too
+            Cell* other = cell.before.open[f] ? changing(cell.before.cell[f]) : nullptr;
+            if (other == nullptr || other->given || !has_way(*other)) continue;
+            const double room = cell.room * volume_ratio(cell.cell, other->cell), all = other->room + room;
+            for (std::size_t a = 0; a < cell.held.size(); ++a) other->held[a] = (other->held[a] * other->room + cell.held[a] * room) / all;
+            other->room = all;
+            cell.given = true;
+            return;
+        }
+    }
+    [[nodiscard]] bool has_way(const Cell& cell)
+    {
+        for (std::size_t f = 0; f < 6; ++f) {
+            if (cell.before.open[f] && !changing(cell.before.cell[f])) return true;
+        }
+        return false;
+    }
+    [[nodiscard]] double volume_ratio(std::size_t from, std::size_t to) const { return grid_.whole_volume(from) / grid_.whole_volume(to); }
+
+    /// Gets from the cells on its new side the room that they have had in it, with what that room holds.
+    void take(Cell& cell)
+    {
+        const auto gives = [&](std::size_t f) {
+            if (!cell.after[f]) return false;
+            const Cell* other = changing(cell.before.cell[f]);
+            return other == nullptr || other->taken;
+        };
+        std::array<double, 6> part{};
+        double whole = 0, lent = 0;
+        for (std::size_t f = 0; f < 6; ++f) {
+            if (!gives(f)) continue;
+            whole += weight(cell, f);
+            part[f] = std::clamp(cell.before.lent[f], 0.0, 0.5 * grid_.walls.room[cell.before.cell[f]]);
+            lent += part[f];
+        }
+        if (!(whole > 0)) return;
+        std::vector<double> sum(arrays_.size(), 0.0);
+        double room = 0;
+        for (std::size_t f = 0; f < 6; ++f) {
+            if (!gives(f)) continue;
+            if (lent < least_lent) part[f] = least_lent * weight(cell, f) / whole * grid_.walls.room[cell.before.cell[f]];
+            const std::size_t from = cell.before.cell[f];
+            const double ratio = volume_ratio(from, cell.cell);
+            for (std::size_t a = 0; a < arrays_.size(); ++a) sum[a] += (*arrays_[a])[from] * part[f] * ratio;
+            grid_.walls.room[from] -= part[f];
+            room += part[f] * ratio;
+        }
+        for (std::size_t a = 0; a < arrays_.size(); ++a) (*arrays_[a])[cell.cell] = sum[a] / room;
+        grid_.walls.room[cell.cell] = room;
+        cell.taken = true;
+    }
+
+    /// No way out: the gas stays in its cell, and so passes the wall.
+    void keep(Cell& cell)
+    {
+        for (std::size_t a = 0; a < arrays_.size(); ++a) (*arrays_[a])[cell.cell] = cell.held[a];
+        grid_.walls.room[cell.cell] = cell.room;
+        cell.given = cell.taken = true;
+        ++grid_.walls.squeezed;
+    }
+    /// Nobody on its new side: takes back a thousandth of what it gave, so that the cell holds something.
+    void bare(Cell& cell)
+    {
+        for (std::size_t f = 0; f < 6; ++f) {
+            if (!cell.before.open[f] || changing(cell.before.cell[f])) continue;
+            double& own = grid_.walls.room[cell.before.cell[f]];
+            const double part = 1e-3 * own;
+            for (auto* array : arrays_) (*array)[cell.cell] = (*array)[cell.before.cell[f]];
+            own -= part;
+            grid_.walls.room[cell.cell] = part * volume_ratio(cell.before.cell[f], cell.cell);
+            cell.taken = true;
+            ++grid_.walls.squeezed;
+            return;
+        }
+        ++grid_.walls.squeezed;
+    }
+
+    EulerGrid& grid_;
+    std::vector<std::vector<double>*> arrays_;
+    std::vector<Cell> cells_;
+};
+
+/// Marks the blocks that see a wall: they are computed with it, and never quiet.
+void mark_blocks(EulerGrid& grid)
+{
+    for (EulerBlock& block : grid.blocks) block.walled = false;
+    constexpr std::size_t sight = 3;
+    const auto mark = [&](const std::array<std::size_t, 3>& at) {
+        std::array<std::size_t, 3> low{}, high{};
+        for (std::size_t d = 0; d < 3; ++d) {
+            const std::size_t cells = grid.axes[d].cells(), count = grid.block_counts[d];
+            const auto block_of = [&](std::size_t cell) {
+                std::size_t n = cell * count / cells;
+                while (n + 1 < count && cells * (n + 1) / count <= cell) ++n;
+                return n;
+            };
+            low[d] = block_of(at[d] > sight ? at[d] - sight : 0);
+            high[d] = block_of(std::min(at[d] + sight, cells - 1));
+        }
+        for (std::size_t k = low[2]; k <= high[2]; ++k) {
+            for (std::size_t j = low[1]; j <= high[1]; ++j) {
+                for (std::size_t i = low[0]; i <= high[0]; ++i) {
+                    EulerBlock& block = grid.blocks[i + grid.block_counts[0] * (j + grid.block_counts[1] * k)];
+                    block.walled = true;
+                    block.quiet = false;
+                }
+            }
+        }
+    };
+    for (const WallFace& face : grid.walls.faces) mark(face.place);
+}
+
+}  // namespace
+
+void cut(EulerGrid& grid, const std::vector<WallCrossing>& crossings, const std::vector<SweptCell>& swept)
+{
+    make_arrays(grid);
+    SideChange change(grid, swept);
+    clear(grid.walls);
+    shut_faces(grid, crossings);
+    change.carry_over();
+    find_room(grid);
+    shape_openings(grid);
+    mark_blocks(grid);
+}
+
+void cut_first(EulerGrid& grid, const std::vector<WallCrossing>& crossings)
+{
+    if (crossings.empty() && !grid.walls.any()) return;
+    cut(grid, crossings, {});
+    std::copy(grid.walls.room_next.begin(), grid.walls.room_next.end(), grid.walls.room.begin());
+}
+
+void end_cut(EulerWalls& walls)
+{
+    walls.room = walls.room_next;
+}
+
+}  // namespace corpuscle
