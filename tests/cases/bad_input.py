@@ -128,7 +128,7 @@ MISTAKES = [
     ("a grid beside particles", CASE + GRID[GRID.index("[euler]"):], r"case\.toml:\d+:1: there are both \[gas\] and \[euler\].*; expected one of them"),
     ("a part in a grid of rings", replaced("[euler]", "[euler]\nsymmetry = \"axisymmetric\"", GRID) + CASE[CASE.index("[[part]]"):],
      r"case\.toml:\d+:1: part 'plate' stands beside \[euler\] with a symmetry.*; expected \[euler\] without symmetry"),
-    ("a part of solids in a grid", GRID + CASE[CASE.index("[[part]]"):].replace("shell = {", "solid = {", 1), r"case\.toml:\d+:1: part 'plate' of solids stands beside \[euler\].*; expected shells"),
+    ("a part of solids in a grid", GRID + CASE[CASE.index("[[part]]"):].replace('{ shell = { thickness = "5 mm" } }', '"solid"', 1), r"case\.toml:\d+:1: part 'plate' of solids stands beside \[euler\].*; expected shells"),
     ("a part in a grid that starts spherical", replaced("[euler]", "[euler]\nstart = \"spherical\"", GRID) + CASE[CASE.index("[[part]]"):],
      r"case\.toml:\d+:\d+: part 'plate' stands beside \[euler\] that starts spherical; expected start = \"detonation\""),
     ("a grid's box without z", replaced("[[0, 0.6], [0, 0.6], [0, 0.6]]", "[[0, 0.6], [0, 0.6]]", GRID), r"case\.toml:11:7: the box of \[euler\] has 2 ranges, its symmetry leaves 3; expected \[\[x_min"),

@@ -51,13 +51,11 @@ TEST(GridPiston, driven_at_constant_speed)
         std::size_t front = n - 1;
         while (look(gas.grid, front).pressure < 0.5 * (1 + pushed)) --front;
         const double seen = gas.grid.axes[0].middle(front), expected = start + shock_speed * end;
-        const auto ahead = gas.pressure_on([](const Vector3d&) { return true; }, {1, 0, 0}).first;
-        const auto after = gas.pressure_on([](const Vector3d&) { return true; }, {-1, 0, 0}).first;
         const WallFace& wall = gas.grid.walls.faces[0];
         const double before_p = look(gas.grid, wall.upper).pressure, behind_p = look(gas.grid, wall.lower).pressure;
-        std::printf("%zu: pushed %.4f drawn %.4f front off %.2f cells (%g %g) squeezed %d\n", n, before_p / pushed, behind_p / drawn,
-                    (seen - expected) * double(n), ahead, after, int(gas.grid.walls.squeezed));
-        EXPECT_NEAR(before_p / pushed, 1, 0.01);
+        std::printf("%zu cells: pressure before it %.4f of theory, behind it %.4f; front off by %.2f cells\n", n, before_p / pushed,
+                    behind_p / drawn, (seen - expected) * double(n));
+        EXPECT_NEAR(before_p / pushed, 1, 0.01);  // the reason of both: a wall of first order, gas heated at the start in some cells
         EXPECT_NEAR(behind_p / drawn, 1, 0.01);
         EXPECT_NEAR(seen, expected, 1.5 / double(n));
         EXPECT_NEAR(last.whole_mass(), first.whole_mass(), 1e-13 * first.whole_mass());
