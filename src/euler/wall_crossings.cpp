@@ -155,7 +155,7 @@ std::vector<Found> joined(const std::vector<std::vector<Found>>& parts)
 }
 
 /// Cells whose middles one facet passes.
-void add_swept(const EulerGrid& grid, const std::array<Vector3d, 3>& start, const std::array<Vector3d, 3>& end,
+void add_swept(const EulerGrid& grid, std::uint32_t facet, const std::array<Vector3d, 3>& start, const std::array<Vector3d, 3>& end,
                std::vector<SweptCell>& found)
 {
     Box box;
@@ -167,10 +167,10 @@ void add_swept(const EulerGrid& grid, const std::array<Vector3d, 3>& start, cons
         for (std::size_t j = range[1][0]; j < range[1][1]; ++j) {
             for (std::size_t i = range[0][0]; i < range[0][1]; ++i) {
                 const Vector3d middle{wall_middle(grid.axes[0], 0, i), wall_middle(grid.axes[1], 1, j), wall_middle(grid.axes[2], 2, k)};
-                MovingFacet facet{start, end};
-                for (std::size_t c = 0; c < 3; ++c) facet.start[c] -= middle, facet.end[c] -= middle;
-                const MovingFacet::Meeting met = facet.first_meeting(false);
-                if (met.fraction <= 1) found.push_back({grid.cell(i, j, k), met.normal});
+                MovingFacet moving{start, end};
+                for (std::size_t c = 0; c < 3; ++c) moving.start[c] -= middle, moving.end[c] -= middle;
+                const MovingFacet::Meeting met = moving.first_meeting(false);
+                if (met.fraction <= 1) found.push_back({grid.cell(i, j, k), facet, met.normal});
             }
         }
     }
@@ -229,11 +229,12 @@ std::vector<SweptCell> swept_cells(const EulerGrid& grid, const Surface& surface
                 to[c] = nodes.end[surface.facets[f].node[c]];
             }
             if (from[0] == to[0] && from[1] == to[1] && from[2] == to[2]) continue;
-            add_swept(grid, from, to, parts[part]);
+            add_swept(grid, static_cast<std::uint32_t>(f), from, to, parts[part]);
         }
     });
     std::vector<SweptCell> found = joined(parts);
-    std::stable_sort(found.begin(), found.end(), [](const SweptCell& a, const SweptCell& b) { return a.cell < b.cell; });
+    std::sort(found.begin(), found.end(),
+              [](const SweptCell& a, const SweptCell& b) { return std::tie(a.cell, a.facet) < std::tie(b.cell, b.facet); });
     found.erase(std::unique(found.begin(), found.end(), [](const SweptCell& a, const SweptCell& b) { return a.cell == b.cell; }),
                 found.end());
     return found;

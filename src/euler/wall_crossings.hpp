@@ -18,9 +18,10 @@ namespace corpuscle {
 [[nodiscard]] std::vector<WallCrossing> find_crossings(const EulerGrid& grid, const Surface& surface, std::span<const std::uint8_t> free,
                                                        std::span<const Vector3d> nodes);
 
-/// A cell whose middle was passed by the surface, and the unit normal of the facet that did.
+/// A cell whose middle was passed by the surface, the first facet that did, and its unit normal.
 struct SweptCell {
     std::size_t cell = 0;
+    std::uint32_t facet = 0;
     Vector3d normal;
 };
 

@@ -161,12 +161,12 @@ TEST(EulerCase, TheGridStandsAlone)
 {
     EXPECT_THAT(refused(grid_case(octant_grid, "[gas]\nbox = [[0, 1], [0, 1], [0, 1]]\nparticles = 1000\n")),
                 HasSubstr("both [gas] and [euler]"));
-    EXPECT_THAT(refused(grid_case(octant_grid, R"([[part]]
+    EXPECT_THAT(refused(grid_case(ring_grid, R"([[part]]
 name = "plate"
 mesh = { rectangle = { edge_1 = [1, 0, 0], edge_2 = [0, 1, 0], element_size = 0.1 } }
 element = "rigid"
 )")),
-                HasSubstr("part 'plate' stands beside [euler]"));
+                HasSubstr("part 'plate' stands beside [euler] with a symmetry"));
     CaseDescription many = grid_case(octant_grid);
     many.ensemble = 2;
     EXPECT_THAT(refused(many), HasSubstr("an ensemble without gas of particles"));
