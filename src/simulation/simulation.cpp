@@ -112,7 +112,8 @@ void Simulation::step()
 double Simulation::next_step()
 {
     constexpr double margin = 0.95, slack = 1.25;
-    const double gas = stable_step(model_->gas, clock_.time()), cells = std::min(stable_step(model_->euler), model_->grid_walls.stable_step());
+    const double gas = stable_step(model_->gas, clock_.time()),
+                 cells = std::min(stable_step(model_->euler), model_->grid_walls.stable_step());
     if (steady_step_ > gas || gas > slack * steady_step_) steady_step_ = margin * gas;
     const double left = model_->end_time - clock_.time();
     const double fitted = pace_.fit(clock_.time(), std::min(steady_step_, cells), left);
@@ -338,7 +339,7 @@ RestartContent Simulation::state()
 std::vector<FieldSet> Simulation::sets()
 {
     std::vector<FieldSet> sets{corpuscle::state(model_->gas), corpuscle::state(model_->structure), pace_.state(),
-                               model_->gas_structure.state(), corpuscle::state(model_->euler), model_->grid_walls.state()};
+                               model_->gas_structure.state(), corpuscle::state(model_->euler),     model_->grid_walls.state()};
     for (std::size_t i = 0; i < model_->loads.size(); ++i) {
         sets.push_back(model_->loads[i]->state());
         sets.back().name = fmt::format("load {}: {}", i + 1, model_->loads[i]->name());
