@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "contact/push.hpp"
 #include "parallel/loops.hpp"
 
 namespace corpuscle {
@@ -17,18 +18,11 @@ Vector3d area_vector(const Vector3d& a, const Vector3d& b, const Vector3d& c)
     return 0.5 * cross(b - a, c - a);
 }
 
-/// Where a node is half way through the step [m].
-Vector3d middle(const Nodes& nodes, std::uint32_t node)
+/// Whether a facet stands on the straight line from a facet's centroid to the charge; what lies on the facet itself does not count.
+bool is_hidden_from(const FacetTree& tree, const Vector3d& centroid, const Vector3d& charge, std::uint32_t facet)
 {
-    return 0.5 * (nodes.previous[node] + nodes.position[node]);
-}
-
-/// Gives a node an impulse [N s]; returns the work it does, impulse times the mean of the velocities before and after [J].
-double push(Nodes& nodes, std::uint32_t node, const Vector3d& impulse)
-{
-    const Vector3d before = nodes.contact_velocity(node);
-    nodes.push(node, impulse);
-    return 0.5 * dot(impulse, before + nodes.contact_velocity(node));
+    constexpr double aside = 1e-6;  // of the distance
+    return tree.first_hit(centroid + aside * (charge - centroid), charge, 0, 0, facet).facet >= 0;
 }
 
 }  // namespace
@@ -38,34 +32,38 @@ ConwepLoad::ConwepLoad(Structure& structure, std::uint32_t part, const ConwepCha
       part_name_(part < structure.parts.size() ? structure.parts[part].name : fmt::format("number {}", part)),
       detonation_time_(charge.time)
 {
+    FacetTree tree(structure.surface);
+    tree.follow({structure.nodes.reference, structure.nodes.reference}, structure.surface.hidden);
     try {
         for (std::uint32_t i = 0; i < structure.surface.facets.size(); ++i) {
-            if (structure.surface.facets[i].part == part && !structure.surface.is_hidden(i)) add_facet(i, charge);
+            if (structure.surface.facets[i].part == part && !structure.surface.is_hidden(i)) add_facet(i, charge, tree);
         }
     } catch (const InputError& error) {
         throw InputError(fmt::format("ConWep load on part '{}': {}", part_name_, error.problem()), error.remedy());
     }
     if (facets_.empty())
-        throw InputError(fmt::format("ConWep load on part '{}': it shows no surface", part_name_),
-                         "name a part made of shells or solids that faces the charge");
+        throw InputError(fmt::format("ConWep load on part '{}': it shows no surface that sees the charge", part_name_),
+                         "name a part made of shells or solids that faces the charge, with nothing between");
     specific_impulse_.assign(facets_.size(), 0.0);
     pressure_.assign(facets_.size(), 0.0);
     push_.resize(facets_.size());
     facet_impulse_.resize(structure.surface.facets.size());
 }
 
-void ConwepLoad::add_facet(std::uint32_t facet, const ConwepCharge& charge)
+void ConwepLoad::add_facet(std::uint32_t facet, const ConwepCharge& charge, const FacetTree& tree)
 {
     const auto& node = structure_.surface.facets[facet].node;
     const std::vector<Vector3d>& at = structure_.nodes.reference;
-    const Vector3d ray = (at[node[0]] + at[node[1]] + at[node[2]]) / 3.0 - charge.center;
+    const Vector3d centroid = (at[node[0]] + at[node[1]] + at[node[2]]) / 3.0, ray = centroid - charge.center;
     const double distance = norm(ray);
-    const BlastWave wave = kingery_bulmash(charge.burst, charge.mass, distance);
     const double cosine = dot(normalized(area_vector(at[node[0]], at[node[1]], at[node[2]])), ray) / distance;
-    if (structure_.surface.facets[facet].solid && cosine > 0) return;  // the far side of a solid
+    const bool solid = structure_.surface.facets[facet].solid;
+    const bool shadowed = (solid && cosine > 0) || is_hidden_from(tree, centroid, charge.center, facet);
+    if (shadowed && charge.shadow == Shadow::nothing) return;
+    const BlastWave wave = kingery_bulmash(charge.burst, charge.mass, distance);
     facets_.push_back(facet);
-    loads_.emplace_back(wave, std::abs(cosine));
-    side_.push_back(cosine < 0 ? -1.0 : 1.0);
+    loads_.emplace_back(wave, shadowed ? -1.0 : std::abs(cosine));
+    side_.push_back(solid || cosine < 0 ? -1.0 : 1.0);
 }
 
 void ConwepLoad::find_pushes(const Clock& clock)
@@ -75,7 +73,7 @@ void ConwepLoad::find_pushes(const Clock& clock)
     for_each(facets_.size(), [&](std::size_t i) {
         const double impulse = structure_.surface.is_hidden(facets_[i]) ? 0.0 : loads_[i].impulse(start, end);
         const auto& node = structure_.surface.facets[facets_[i]].node;
-        push_[i] = impulse * side_[i] * area_vector(middle(nodes, node[0]), middle(nodes, node[1]), middle(nodes, node[2]));
+        push_[i] = impulse * side_[i] * middle_area(nodes, node);
         specific_impulse_[i] += impulse;
         pressure_[i] = clock.duration() > 0 ? impulse / clock.duration() : 0.0;
     });
@@ -89,7 +87,7 @@ std::vector<Transfer> ConwepLoad::apply(const Clock& clock)
     given.to = "structure";
     for (std::size_t i = 0; i < facets_.size(); ++i) {
         for (const std::uint32_t node : structure_.surface.facets[facets_[i]].node)
-            given.energy += push(structure_.nodes, node, push_[i] / 3.0);
+            given.energy += push_node(structure_.nodes, node, push_[i] / 3.0);
         given.momentum += push_[i];
         facet_impulse_[facets_[i]] += push_[i];
     }

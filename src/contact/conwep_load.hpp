@@ -7,9 +7,16 @@
 #include "contact/contact.hpp"
 #include "laws/blast/blast_load.hpp"
 #include "math/vector3.hpp"
+#include "mesh/facet_tree.hpp"
 #include "structure/structure.hpp"
 
 namespace corpuscle {
+
+/// What faces get that do not see the charge: turned away from it, or with a facet between.
+enum class Shadow {
+    nothing,
+    incident,  ///< the incident wave, as at their distance
+};
 
 /// A charge of TNT as the curves of Kingery and Bulmash know it.
 struct ConwepCharge {
@@ -17,11 +24,13 @@ struct ConwepCharge {
     Vector3d center;                 ///< [m]
     Burst burst = Burst::spherical;  ///< a hemisphere stands on a ground that reflects; only the distance to its centre counts
     double time = 0;                 ///< of detonation [s]
+    Shadow shadow = Shadow::nothing;
 };
 
 /// The empirical blast load on one part, in place of gas: each facet gets the pulse of its distance and angle on the face that sees the
-/// charge, and nothing on the other. Distance, angle and arrival are those of the part as meshed (it has hardly moved while the pulse
-/// lasts); the push follows the facet's present area and normal. Nothing shades anything. Positive phase only.
+/// charge, and nothing on the other. A facet whose centroid a facet of any part hides from the charge, and a solid's that looks away, is in
+/// the shadow. Distance, angle, arrival and shadow are those of the structure as meshed (it has hardly moved while the pulse lasts); the
+/// push follows the facet's present area and normal. Positive phase only.
 class ConwepLoad final : public Contact {
 public:
     /// Works out the pulse of every facet of structure.parts[part]; keeps a reference to the structure.
@@ -57,7 +66,7 @@ private:
     std::vector<Vector3d> push_;            ///< of the step, on each loaded facet [N s]
     std::vector<Vector3d> facet_impulse_;   ///< so far, on every facet of the structure [N s]
 
-    void add_facet(std::uint32_t facet, const ConwepCharge& charge);
+    void add_facet(std::uint32_t facet, const ConwepCharge& charge, const FacetTree& tree);
     void find_pushes(const Clock& clock);
 };
 

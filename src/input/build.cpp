@@ -88,12 +88,23 @@ Gauge make_gauge(const GaugeInput& input, const Model& model)
     });
 }
 
-void add_load(Model& model, const LoadInput& input)
+void add_conwep(Model& model, const LoadInput& input)
 {
     const ConwepInput& conwep = *input.conwep;
     const Burst burst = conwep.burst == BurstInput::spherical ? Burst::spherical : Burst::hemispherical;
-    at_place(input.places.own,
-             [&] { add_conwep(model, part_index(model.structure, input.part), {conwep.mass, conwep.center, burst, conwep.time}); });
+    const Shadow shadow = conwep.shadow == ShadowInput::nothing ? Shadow::nothing : Shadow::incident;
+    add_conwep(model, part_index(model.structure, input.part), {conwep.mass, conwep.center, burst, conwep.time, shadow});
+}
+
+void add_load(Model& model, const LoadInput& input, const PlannedLoad& planned)
+{
+    at_place(input.places.own, [&] {
+        if (input.conwep) return add_conwep(model, input);
+        if (input.pressure)
+            model.loads.push_back(std::make_unique<PressureLoad>(model.structure, planned.where, planned.curve));
+        else
+            model.loads.push_back(std::make_unique<ForceLoad>(model.structure, planned.where, *input.direction, planned.curve));
+    });
 }
 
 OutputSettings make_output(const CaseDescription& description)
@@ -122,7 +133,8 @@ std::unique_ptr<Model> build(const CaseDescription& description, CaseSurvey& sur
     model->start_time = start_time;
     model->end_time = description.end_time;
     model->output = make_output(description);
-    for (const LoadInput& load : description.loads) add_load(*model, load);
+    for (std::size_t i = 0; i < description.loads.size(); ++i) add_load(*model, description.loads[i], survey.loads[i]);
+    if (norm(description.gravity) > 0) model->loads.push_back(std::make_unique<GravityLoad>(model->structure, description.gravity));
     let_sleep_beside_structure(*model);
     for (const ProbeInput& probe : description.probes) model->probes.push_back(make_probe(probe, model->structure, survey.warnings));
     if (survey.euler) model->euler = at_place(description.euler->places.own, [&] { return fill_grid(*survey.euler); });

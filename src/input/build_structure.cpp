@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "input/curves.hpp"
 #include "input/make_material.hpp"
 #include "input/placed.hpp"
 #include "input/shapes.hpp"
@@ -105,6 +106,29 @@ Hold make_hold(const Mesh& mesh, const FixInput& fix)
     return hold;
 }
 
+/// A motion that nodes follow; a displacement begins where the mesh is.
+Drive make_drive(const Mesh& mesh, const PartInput& part, const DriveInput& input, const CaseDescription& description)
+{
+    Drive drive;
+    drive.nodes = at_place(input.places.of("where"), [&] { return select_nodes(mesh, input.where); });
+    drive.axis = static_cast<int>(input.dof);
+    drive.start_velocity = part.velocity[drive.axis];
+    if (input.displacement) {
+        drive.kind = DriveKind::displacement;
+        drive.curve = make_curve(*input.displacement, "m", description);
+        if (drive.curve.value(0) != 0)
+            throw InputError(fmt::format("the displacement is {:.6g} m at time 0", drive.curve.value(0)),
+                             "expected a curve that begins at 0 at time 0", input.places.of("displacement"));
+    } else if (input.velocity) {
+        drive.kind = DriveKind::velocity;
+        drive.curve = make_curve(*input.velocity, "m/s", description);
+    } else {
+        drive.kind = DriveKind::acceleration;
+        drive.curve = make_curve(*input.acceleration, "m/s2", description);
+    }
+    return drive;
+}
+
 /// What the part's elements are and what they need besides a material.
 void set_section(PartDescription& built, const ElementInput& element)
 {
@@ -182,6 +206,9 @@ PartDescription describe(const PartInput& part, const CaseDescription& descripti
     for (const PointMassInput& extra : part.point_masses)
         built.point_masses.push_back(
             {at_place(extra.places.of("where"), [&] { return select_nodes(built.mesh, extra.where); }), extra.mass});
+    for (const DriveInput& drive : part.drive) built.drives.push_back(make_drive(built.mesh, part, drive, description));
+    for (const StartInput& start : part.start)
+        built.starts.push_back({at_place(start.places.of("where"), [&] { return select_nodes(built.mesh, start.where); }), start.velocity});
     built.velocity = part.velocity;
     built.spin = part.spin;
     return built;
@@ -235,6 +262,22 @@ void warn_of_small_step(const PartReport& part, std::vector<std::string>& warnin
                         part.name, part.slowest, part.step, part.usual_step, part.usual_step / part.step));
 }
 
+/// Finds the nodes of the loads on the part that has just been built, and reads their curves.
+void plan_loads(const CaseDescription& description, const Mesh& mesh, const Structure& structure, std::vector<PlannedLoad>& loads)
+{
+    const Part& part = structure.parts.back();
+    for (std::size_t i = 0; i < description.loads.size(); ++i) {
+        const LoadInput& load = description.loads[i];
+        if (load.part != part.name || load.conwep) continue;
+        LoadedNodes& where = loads[i].where;
+        where.part = static_cast<std::uint32_t>(structure.parts.size() - 1);
+        where.nodes = at_place(load.places.of("where"), [&] { return select_nodes(mesh, load.where); });
+        for (std::uint32_t& node : where.nodes) node += part.first_node;
+        where.name = fmt::format("{} on {} of {}", load.pressure ? "pressure" : "force", load.where, part.name);
+        loads[i].curve = load.pressure ? make_curve(*load.pressure, "Pa", description) : make_curve(*load.force, "N", description);
+    }
+}
+
 }  // namespace
 
 Mesh make_mesh(const PartInput& part, const CaseDescription& description)
@@ -251,11 +294,13 @@ Mesh make_mesh(const PartInput& part, const CaseDescription& description)
 Structure build_structure(const CaseDescription& description, StructureNotes& notes)
 {
     Structure structure;
+    notes.loads.resize(description.loads.size());
     for (const PartInput& part : description.parts) {
         const PartDescription described = describe(part, description, notes.warnings);
         at_place(part.places.own, [&] { add_part(structure, described); });
         notes.parts.push_back(report_of(described.mesh, structure));
         warn_of_small_step(notes.parts.back(), notes.warnings);
+        plan_loads(description, described.mesh, structure, notes.loads);
     }
     return structure;
 }

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "contact/curve_loads.hpp"
 #include "input/case/case_description.hpp"
 #include "mesh/quality.hpp"
 #include "structure/structure.hpp"
@@ -27,10 +28,17 @@ struct PartReport {
     [[nodiscard]] std::string text() const;
 };
 
+/// A load of the case with its nodes found and its curve read; of ConWep neither is used.
+struct PlannedLoad {
+    LoadedNodes where;
+    TimeCurve curve;
+};
+
 /// What comes out beside the structure when it is built.
 struct StructureNotes {
     std::vector<std::string> warnings;  ///< remarks on doubtful meshes
     std::vector<PartReport> parts;
+    std::vector<PlannedLoad> loads;  ///< one for each of the case
 };
 
 /// Builds all parts. Errors: InputError at the part's place.

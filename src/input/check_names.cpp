@@ -31,6 +31,18 @@ void check_part(const CaseDescription& description, const std::string& name, con
     problems.add(fmt::format("there is no part '{}'", name), names.empty() ? "the case has no [[part]]" : suggestion(name, names), place);
 }
 
+/// A load is on a part that there is, and says no more than its kind needs.
+void check_load(const CaseDescription& description, const LoadInput& load, Problems& problems)
+{
+    check_part(description, load.part, load.places.of("part"), problems);
+    if (load.force && !load.direction)
+        problems.add("a force has no direction", "expected direction = [0, 0, 1] or another", load.places.own);
+    if (!load.force && load.direction)
+        problems.add("only a force has a direction", "expected force, or no direction", load.places.of("direction"));
+    if (load.conwep && load.where != "all")
+        problems.add("the load of ConWep is on all of a part", "expected no 'where', or a part of its own", load.places.of("where"));
+}
+
 void check_gauges(const CaseDescription& description, Problems& problems)
 {
     for (const GaugeInput& gauge : description.gauges) {
@@ -83,7 +95,7 @@ void check_names(const CaseDescription& description)
     check_unique(description.parts, "part", problems);
     check_unique(description.probes, "probe", problems);
     check_unique(description.gauges, "gauge", problems);
-    for (const LoadInput& load : description.loads) check_part(description, load.part, load.places.of("part"), problems);
+    for (const LoadInput& load : description.loads) check_load(description, load, problems);
     for (const ProbeInput& probe : description.probes) {
         if (description.parts.empty())
             problems.add(fmt::format("probe '{}' needs a node, but the case has no [[part]]", probe.name), "expected a part, or no probe",

@@ -91,6 +91,7 @@ CaseSurvey survey_case(const CaseDescription& description)
     survey.structure = build_structure(description, notes);
     survey.warnings.insert(survey.warnings.end(), notes.warnings.begin(), notes.warnings.end());
     survey.parts = std::move(notes.parts);
+    survey.loads = std::move(notes.loads);
     survey.memory = check_room(description, survey);
     warn_of_room(survey);
     if (survey.gas) check_charges_apart(*survey.gas, survey.structure, description);

@@ -16,7 +16,8 @@ struct CaseSurvey {
     Structure structure;
     std::optional<GasPlan> gas;
     std::optional<EulerPlan> euler;
-    std::size_t memory = 0;         ///< bytes a run will need
+    std::size_t memory = 0;  ///< bytes a run will need
+    std::vector<PlannedLoad> loads;
     std::vector<PartReport> parts;  ///< what is worth knowing of each part
     std::vector<std::string> warnings;
 };

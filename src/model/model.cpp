@@ -8,16 +8,21 @@ namespace corpuscle {
 
 namespace {
 
-/// Impulses of this step into held directions, which the supports will answer in the next. [N s]
-Vector3d waiting_for_supports(const Nodes& nodes)
+/// Impulses of this step into held and driven directions, which supports and drives will answer in the next; and the work that they did
+/// where driven, which a drive will then take back. Without mass. [N s], [J]
+Holding waiting_for_supports(const Nodes& nodes)
 {
-    Vector3d of_bodies;
-    for (const RigidBody& body : nodes.bodies) of_bodies += body.impulse - scaled(body.impulse, body.free);
-    return of_bodies + sum<Vector3d>(nodes.size(), [&](std::size_t i) {
-               Vector3d held;
-               for (int a = 0; a < 3; ++a) held[a] = nodes.inverse_mass[i][a] == 0 ? nodes.impulse[i][a] : 0.0;
-               return held;
-           });
+    Holding waiting;
+    for (const RigidBody& body : nodes.bodies) {
+        const Vector3d held = body.impulse - scaled(body.impulse, body.free);
+        waiting += {0, held, dot(held, body.velocity)};
+    }
+    waiting += sum<Holding>(nodes.size(), [&](std::size_t i) {
+        Vector3d held;
+        for (int a = 0; a < 3; ++a) held[a] = nodes.inverse_mass[i][a] == 0 ? nodes.impulse[i][a] : 0.0;
+        return Holding{0, held, dot(held, nodes.velocity[i])};
+    });
+    return waiting;
 }
 
 /// Kinetic energy is known half a step before the strain energy: what the forces do in between. [J]
@@ -56,7 +61,8 @@ Holding Model::held(double duration) const
     total += inside.explosive;
     total += corpuscle::held(euler);
     const StructureEnergy solid = energy(structure);
-    total += {-structure.eroded.mass, momentum(structure) + waiting_for_supports(structure.nodes),
+    total += waiting_for_supports(structure.nodes);
+    total += {-structure.eroded.mass, momentum(structure),
               solid.kinetic + solid.internal + solid.hourglass + half_step_work(structure.nodes, duration)};
     return total;
 }
@@ -67,12 +73,14 @@ void let_sleep_beside_structure(Model& model)
     const Nodes& nodes = model.structure.nodes;
     if (sleeping.disturbances.empty()) return;
     for (const Box& box : solid_boxes(model.structure)) sleeping.disturbances.push_back({box, 0});
-    bool moves = !model.loads.empty();
+    bool moves = !model.loads.empty() || !model.structure.drives.empty();
     Box movable;
     for (std::size_t n = 0; n < nodes.size(); ++n) {
         moves = moves || norm_squared(nodes.velocity[n]) + norm_squared(nodes.angular_velocity[n]) > 0;
         if (norm_squared(nodes.inverse_mass[n]) > 0) movable.include(nodes.position[n]);
     }
+    for (const Drive& drive : model.structure.drives)
+        for (const std::uint32_t n : drive.nodes) movable.include(nodes.position[n]);
     for (const RigidBody& body : model.structure.nodes.bodies) {
         moves = moves || norm_squared(body.velocity) + norm_squared(body.spin_momentum) > 0;
         for (std::uint32_t n = 0; n < body.node_count; ++n) movable.include(nodes.position[body.first_node + n]);

@@ -281,6 +281,52 @@ void release(Nodes& nodes, const Part& part, const Freedom& freedom, const Vecto
     }
 }
 
+/// Sets nodes moving that start otherwise than their part.
+void set_starts(Nodes& nodes, const Part& part, const Freedom& freedom, const std::vector<StartVelocity>& starts)
+{
+    for (const StartVelocity& start : starts)
+        for (const std::uint32_t node : start.nodes)
+            nodes.velocity[part.first_node + node] = scaled(freedom.translation[node], start.velocity);
+}
+
+/// Takes the driven directions out of the nodes' freedom; refuses nodes that are held or driven there already.
+void take_driven(const PartDescription& d, Freedom& freedom)
+{
+    for (const Drive& drive : d.drives) {
+        for (const std::uint32_t node : drive.nodes) {
+            if (freedom.translation[node][drive.axis] == 0)
+                refuse(d,
+                       fmt::format("the node at {} is driven along {}, where it is held or driven already", point_text(d.mesh.nodes[node]),
+                                   "xyz"[drive.axis]),
+                       "hold or drive a node once in each direction");
+            freedom.translation[node][drive.axis] = 0;
+        }
+        if (d.element == ElementKind::rigid && drive.nodes.size() != d.mesh.nodes.size())
+            refuse(d, fmt::format("{} of {} nodes of a rigid part are driven", drive.nodes.size(), d.mesh.nodes.size()),
+                   "drive the whole of a rigid part: where = \"all\"");
+    }
+}
+
+/// Drives nodes of the part, or the body that carries them.
+void add_drives(Structure& structure, const Part& part, const std::vector<Drive>& drives)
+{
+    Nodes& nodes = structure.nodes;
+    for (Drive drive : drives) {
+        if (nodes.body_of(part.first_node) != nullptr) {
+            drive.body = nodes.body[part.first_node];
+            drive.nodes.clear();
+            RigidBody& body = nodes.bodies.back();
+            body.free[drive.axis] = 0;
+            body.velocity[drive.axis] = drive.start();
+        }
+        for (std::uint32_t& node : drive.nodes) {
+            node += part.first_node;
+            nodes.velocity[node][drive.axis] = drive.start();
+        }
+        structure.drives.push_back(std::move(drive));
+    }
+}
+
 /// Lets a body carry the part's nodes.
 void add_body(Nodes& nodes, const Part& part, RigidBody body)
 {
@@ -381,7 +427,9 @@ Part& add_part(Structure& structure, const PartDescription& d)
     check_mesh(d);
     check_shapes(d);
     check_holds(d);
-    const Freedom freedom = freedom_of(d);
+    Freedom freedom = freedom_of(d);
+    const bool wall = d.element == ElementKind::rigid && is_wall(d, freedom);
+    take_driven(d, freedom);
     check_section(d);
 
     Part part;
@@ -400,14 +448,17 @@ Part& add_part(Structure& structure, const PartDescription& d)
     add_masses(structure.nodes, part.elements);
     std::visit([&](const auto& e) { structure.corner_loads.resize(structure.corner_loads.size() + e.size() * e.corner_count()); },
                part.elements);
-    if (d.element == ElementKind::rigid && !is_wall(d, freedom)) {
+    if (d.element == ElementKind::rigid && !wall) {
+        if (!d.starts.empty()) refuse(d, "nodes of a rigid part have no velocities of their own", "give the part a velocity and a spin");
         add_body(structure.nodes, part, make_rigid_body(d));
     } else {
         for (const PointMass& extra : d.point_masses)
             for (const std::uint32_t node : extra.nodes)
                 structure.nodes.mass[part.first_node + node] += extra.mass / static_cast<double>(extra.nodes.size());
         release(structure.nodes, part, freedom, d.velocity);
+        set_starts(structure.nodes, part, freedom, d.starts);
     }
+    add_drives(structure, part, d.drives);
     show(structure, part, elements);
     structure.parts.push_back(std::move(part));
     connect(structure);

@@ -9,6 +9,7 @@
 #include "laws/strength/material.hpp"
 #include "math/vector3.hpp"
 #include "mesh/mesh.hpp"
+#include "structure/drive.hpp"
 #include "structure/elements/hourglass_control.hpp"
 #include "structure/elements/solids.hpp"
 #include "structure/erosion.hpp"
@@ -49,6 +50,12 @@ struct PointMass {
     double mass = 0;  ///< of all of them together [kg]
 };
 
+/// Nodes (of the mesh) that move at the start otherwise than their part.
+struct StartVelocity {
+    std::vector<std::uint32_t> nodes;
+    Vector3d velocity;  ///< [m/s]
+};
+
 /// What a rigid part that moves weighs: its elements with the material's density (solids, or surfaces of a thickness), or given numbers.
 struct RigidMass {
     std::optional<double> mass;       ///< [kg]
@@ -77,7 +84,9 @@ struct PartDescription {
     RigidMass rigid;    ///< of a rigid part
     Vector3d spin;      ///< angular velocity at the start, of a rigid part that moves [rad/s]
     Vector3d velocity;  ///< at the start, where not held [m/s]
-    Place place;        ///< where the part was read, for messages
+    std::vector<StartVelocity> starts;
+    std::vector<Drive> drives;  ///< prescribed motions, of nodes of the mesh
+    Place place;                ///< where the part was read, for messages
 };
 
 }  // namespace corpuscle

@@ -145,6 +145,7 @@ std::vector<Transfer> accelerate(Structure& structure, const Clock& clock)
 {
     if (structure.parts.empty()) return {};
     const double force_time = 0.5 * (clock.previous_duration() + clock.duration());
+    const Driven driven = drive(structure.nodes, structure.drives, force_time, clock);
     constexpr std::size_t piece = 512;  // nodes that a thread takes at a time
     const auto move_nodes = [&](std::size_t begin, std::size_t end) {
         NodeSums moved;
@@ -152,9 +153,11 @@ std::vector<Transfer> accelerate(Structure& structure, const Clock& clock)
         return moved;
     };
     const NodeSums sums = sum_chunks<NodeSums>(structure.nodes.size(), move_nodes, piece);
-    structure.force_work += sums.work;
-    const Vector3d support = sums.support + move_bodies(structure.nodes, clock.duration());
-    return {Transfer{"support", "structure", 0.0, support, 0.0}};
+    structure.force_work += sums.work + driven.force_work;
+    const Vector3d support = sums.support + move_bodies(structure.nodes, clock.duration()) + driven.reaction;
+    std::vector<Transfer> given{Transfer{"support", "structure", 0.0, support, 0.0}};
+    if (!structure.drives.empty()) given.push_back(driven.given);
+    return given;
 }
 
 }  // namespace corpuscle

@@ -6,6 +6,7 @@
 #include "base/clock.hpp"
 #include "fields/transfer.hpp"
 #include "mesh/surface.hpp"
+#include "structure/drive.hpp"
 #include "structure/nodes.hpp"
 #include "structure/part.hpp"
 
@@ -17,6 +18,7 @@ struct Structure {
     Nodes nodes;
     std::vector<Part> parts;
     Surface surface;
+    std::vector<Drive> drives;  ///< whose motion is prescribed
 
     std::vector<CornerLoad> corner_loads;     ///< by element and corner, over all parts
     std::vector<std::uint32_t> corner_begin;  ///< of each node, into `corners`; node count + 1
@@ -40,7 +42,8 @@ struct Structure {
 std::vector<Transfer> resist(Structure& structure, const Clock& clock);
 
 /// Central difference: velocity += (impulse + force * mean of this and the last duration) / mass, then position += velocity *
-/// duration; takes up the impulses. Returns what the supports gave ("support" to "structure").
+/// duration; takes up the impulses; what is driven goes as prescribed. Returns what supports and drives gave ("support", "prescribed
+/// motion" to "structure").
 std::vector<Transfer> accelerate(Structure& structure, const Clock& clock);
 
 }  // namespace corpuscle

@@ -39,6 +39,10 @@ def with_mesh(mesh):
     return replaced(FIX, "", replaced(DISK, mesh))
 
 
+def with_load(words):
+    return CASE + f"\n[[load]]\npart = \"plate\"\n{words}\n"
+
+
 SPHERES = replaced("fill = \"air\"", "fill = \"air\"\ncollision = \"hard_spheres\"")
 CROWDED = (SOURCE / "share/explosives/tnt_paper.toml").read_text().replace("co_volume = 0.3", "co_volume = 0.9")
 
@@ -54,6 +58,20 @@ fill = "air"
 # name, case, what standard error must match, further files, further words of the command line
 MISTAKES = [
     ("unknown key", replaced("mass = \"1 kg\"", "mas = \"1 kg\""), r"case\.toml:7:1: unknown key 'mas' in 'charge'; did you mean 'mass'"),
+    ("a curve whose times do not rise", with_load("pressure = [[0, 1], [0, 2]]"), r"case\.toml:\d+:\d+: the times of 'pressure' do not rise"),
+    ("a curve of one number too few", with_load("pressure = [[0]]"), r"case\.toml:\d+:\d+: 'pressure' has a list of 1 here"),
+    ("a curve of lengths", with_load("pressure = [[0, \"1 m\"]]"), r"case\.toml:\d+:\d+: pressure: \"1 m\" is a length; expected a pressure"),
+    ("a curve without a file", with_load("pressure = { file = \"none.csv\" }"), r"case\.toml:\d+:\d+: there is no curve file '.*none\.csv'"),
+    ("a curve file of words", with_load("pressure = { file = \"bad.csv\" }"), r"bad\.csv:3:1: '1, two' is not a time and a value", {"bad.csv": "time, p\n0, 1\n1, two\n"}),
+    ("a curve file in lengths", with_load("pressure = { file = \"good.csv\", unit = \"mm\" }"), r"case\.toml:\d+:\d+: \"1 mm\" is a length; expected a pressure", {"good.csv": "0, 1\n1, 2\n"}),
+    ("a force without a direction", with_load("force = 3"), r"case\.toml:\d+:1: a force has no direction; expected direction"),
+    ("a pressure in a direction", with_load("pressure = 3\ndirection = [0, 0, 1]"), r"case\.toml:\d+:\d+: only a force has a direction"),
+    ("a pressure nowhere", with_load("pressure = 3\nwhere = \"rom\""), r"case\.toml:\d+:\d+: the mesh has no set of nodes 'rom'"),
+    ("a pressure on an edge", with_load("pressure = 3\nwhere = \"rim\""), r"case\.toml:\d+:1: pressure on rim of plate: no facet of the part has all its nodes there"),
+    ("two loads in one", with_load("pressure = 3\nforce = 3"), r"case\.toml:\d+:\d+: .*'pressure'.*'force'|case\.toml:\d+:\d+: .*one of"),
+    ("driven and held", replaced(FIX, FIX + "\ndrive = [{ where = \"rim\", dof = \"z\", velocity = 1 }]"), r"case\.toml:\d+:1: part 'plate': the node at .* is driven along z, where it is held"),
+    ("a jump at the start", replaced(FIX, FIX + "\ndrive = [{ where = \"all\", dof = \"z\", displacement = 1 }]"), r"case\.toml:\d+:\d+: the displacement is 1 m at time 0"),
+    ("a motion of no kind", replaced(FIX, FIX + "\ndrive = [{ where = \"all\", dof = \"z\" }]"), r"case\.toml:\d+:\d+: .*'displacement'"),
     ("unknown table", CASE + "\n[gass]\nx = 1\n", r"case\.toml:\d+:\d+: unknown key 'gass'.*did you mean 'gas'"),
     ("two unknown keys at once", replaced("particles =", "particels =", replaced("title =", "titel =")), r"(?s)1:1: unknown key 'titel'.*'particels'.*did you mean 'particles'"),
     ("wrong type", replaced("mass = \"1 kg\"", "mass = [1]"), r"case\.toml:7:8: 'mass' is a list; expected number > 0 in kg"),

@@ -20,6 +20,8 @@ const Table& table_of<CaseDescription>()
             .row("fill", &CaseDescription::fills, {"", {}, "Gas in shapes.", ""})
             .row("part", &CaseDescription::parts, {"", {}, "Parts of the structure.", ""})
             .row("load", &CaseDescription::loads, {"", {}, "Loads that are not gas.", ""})
+            .row("gravity", &CaseDescription::gravity,
+                 {"m/s2", {}, "Acceleration with which the structure falls. Gas is not heavy.", "[0, 0, -9.81]"})
             .row("probe", &CaseDescription::probes, {"", {}, "Nodes whose motion is recorded.", ""})
             .row("gauge", &CaseDescription::gauges, {"", {}, "Where pressure and impulse are recorded.", ""})
             .row("output", &CaseDescription::output, {"", {}, "Files for pictures and for going on.", ""})

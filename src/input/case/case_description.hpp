@@ -23,6 +23,7 @@ struct CaseDescription {
     std::vector<FillInput> fills;
     std::vector<PartInput> parts;
     std::vector<LoadInput> loads;
+    Vector3d gravity;  ///< [m/s2]
     std::vector<ProbeInput> probes;
     std::vector<GaugeInput> gauges;
     OutputInput output;

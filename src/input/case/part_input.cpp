@@ -29,6 +29,49 @@ const std::vector<std::pair<std::string, BurstInput>>& words_of<BurstInput>()
 }
 
 template <>
+const std::vector<std::pair<std::string, ShadowInput>>& words_of<ShadowInput>()
+{
+    static const std::vector<std::pair<std::string, ShadowInput>> words{{"nothing", ShadowInput::nothing},
+                                                                        {"incident", ShadowInput::incident}};
+    return words;
+}
+
+template <>
+const std::vector<std::pair<std::string, DrivenAxis>>& words_of<DrivenAxis>()
+{
+    static const std::vector<std::pair<std::string, DrivenAxis>> words{{"x", DrivenAxis::x}, {"y", DrivenAxis::y}, {"z", DrivenAxis::z}};
+    return words;
+}
+
+template <>
+const Table& table_of<DriveInput>()
+{
+    static const Table table =
+        TableBuilder<DriveInput>("drive", "A motion along an axis that nodes, or the whole of a rigid part, are made to follow.")
+            .need("where", &DriveInput::where, {"", {}, "Nodes: `all`, a set of the mesh, or a plane (`x=0`).", "\"end\""})
+            .need("dof", &DriveInput::dof, {"", {}, "The axis.", "\"x\""})
+            .row("displacement", &DriveInput::displacement,
+                 {"m", {}, "How far from where it was meshed, over time; 0 at time 0.", "[[0, 0], [\"1 ms\", \"5 mm\"]]"})
+            .row("velocity", &DriveInput::velocity, {"m/s", {}, "How fast, over time.", "\"10 m/s\""})
+            .row("acceleration", &DriveInput::acceleration,
+                 {"m/s2", {}, "Its acceleration over time, from the velocity of the start.", "[[0, 0], [\"2 ms\", 5e4]]"})
+            .one_of({"displacement", "velocity", "acceleration"})
+            .table();
+    return table;
+}
+
+template <>
+const Table& table_of<StartInput>()
+{
+    static const Table table =
+        TableBuilder<StartInput>("start", "Velocity at the start of some of the nodes.")
+            .need("where", &StartInput::where, {"", {}, "Nodes: `all`, a set of the mesh, or a plane (`x=0`).", "\"end\""})
+            .need("velocity", &StartInput::velocity, {"m/s", {}, "Their velocity.", "[0, 0, 10]"})
+            .table();
+    return table;
+}
+
+template <>
 const Table& table_of<DiskInput>()
 {
     static const Table table =
@@ -264,10 +307,14 @@ const Table& table_of<PartInput>()
                  {"", {}, "What it is made of (`corpuscle list materials`), unless rigid.", "\"rha_steel\""})
             .row("erosion", &PartInput::erosion, {"", {}, "When its elements are taken out.", "{ plastic_strain = 0.3 }"})
             .row("fix", &PartInput::fix, {"", {}, "Its supports.", "[{ where = \"rim\", dof = \"all\" }]"})
+            .row("drive", &PartInput::drive,
+                 {"", {}, "Motions its nodes are made to follow.", "[{ where = \"x=0\", dof = \"x\", velocity = \"10 m/s\" }]"})
             .row("point_masses", &PartInput::point_masses,
                  {"", {}, "Mass besides that of the elements.", "[{ where = \"end\", mass = \"2 kg\" }]"})
             .row("spin", &PartInput::spin, {"rad/s", {}, "Angular velocity at the start, of a rigid part that moves.", "[0, 0, 100]"})
             .row("velocity", &PartInput::velocity, {"m/s", {}, "Velocity at the start.", "[0, 0, 10]"})
+            .row("start", &PartInput::start,
+                 {"", {}, "Velocities at the start of some of its nodes.", "[{ where = \"end\", velocity = [0, 0, 10] }]"})
             .table();
     return table;
 }
@@ -275,12 +322,15 @@ const Table& table_of<PartInput>()
 template <>
 const Table& table_of<ConwepInput>()
 {
-    static const Table table = TableBuilder<ConwepInput>("conwep", "Blast load after Kingery and Bulmash with the angle rule of ConWep.")
-                                   .need("mass", &ConwepInput::mass, {"kg", above(0), "Mass of TNT.", "\"15 kg\""})
-                                   .need("center", &ConwepInput::center, {"m", {}, "Center of the charge.", "[0, 0, \"700 mm\"]"})
-                                   .row("burst", &ConwepInput::burst, {"", {}, "In free air, or on the ground.", "\"spherical\""})
-                                   .row("time", &ConwepInput::time, {"s", at_least(0), "When it detonates.", "0"})
-                                   .table();
+    static const Table table =
+        TableBuilder<ConwepInput>("conwep", "Blast load after Kingery and Bulmash with the angle rule of ConWep.")
+            .need("mass", &ConwepInput::mass, {"kg", above(0), "Mass of TNT.", "\"15 kg\""})
+            .need("center", &ConwepInput::center, {"m", {}, "Center of the charge.", "[0, 0, \"700 mm\"]"})
+            .row("burst", &ConwepInput::burst, {"", {}, "In free air, or on the ground.", "\"spherical\""})
+            .row("time", &ConwepInput::time, {"s", at_least(0), "When it detonates.", "0"})
+            .row("shadow", &ConwepInput::shadow,
+                 {"", {}, "What faces get that look away from the charge, or that facets of any part hide from it.", "\"incident\""})
+            .table();
     return table;
 }
 
@@ -291,8 +341,21 @@ const Table& table_of<LoadInput>()
         TableBuilder<LoadInput>("load", "A load on a part that is not gas.")
             .row("conwep", &LoadInput::conwep,
                  {"", {}, "Empirical blast load.", "{ mass = \"15 kg\", center = [0, 0, \"700 mm\"], burst = \"spherical\" }"})
+            .row("pressure", &LoadInput::pressure,
+                 {"Pa",
+                  {},
+                  "Pressure over time: on solids from outside, on shells against their normals. It stays at the last value.",
+                  "[[0, \"5 bar\"], [\"2 ms\", 0]]"})
+            .row("force", &LoadInput::force,
+                 {"N", {}, "Force over time, in equal parts on the nodes. It stays at the last value.", "[[0, 0], [\"1 ms\", \"3 kN\"]]"})
             .need("part", &LoadInput::part, {"", {}, "The part it acts on.", "\"plate\""})
-            .one_of({"conwep"})
+            .row("where", &LoadInput::where,
+                 {"",
+                  {},
+                  "Nodes with the force, or whose facets have the pressure: `all`, a set of the mesh, or a plane (`z=0`).",
+                  "\"top\""})
+            .row("direction", &LoadInput::direction, {"", {}, "Of the force.", "[0, 0, -1]"})
+            .one_of({"conwep", "pressure", "force"})
             .table();
     return table;
 }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "input/case/curve_input.hpp"
 #include "input/case/preset_values.hpp"
 #include "input/case/shape_input.hpp"
 #include "schema/preset.hpp"
@@ -120,6 +121,26 @@ struct FixInput {
     Places places;
 };
 
+/// Axes along which motion is prescribed.
+enum class DrivenAxis { x, y, z };
+
+/// A motion that nodes are made to follow.
+struct DriveInput {
+    std::string where = "all";
+    DrivenAxis dof = DrivenAxis::z;
+    std::optional<CurveInput> displacement;  ///< [m]
+    std::optional<CurveInput> velocity;      ///< [m/s]
+    std::optional<CurveInput> acceleration;  ///< [m/s2]
+    Places places;
+};
+
+/// Velocity at the start of some of a part's nodes.
+struct StartInput {
+    std::string where = "all";
+    Vector3d velocity;  ///< [m/s]
+    Places places;
+};
+
 struct PartInput {
     std::string name;
     MeshInput mesh;
@@ -127,7 +148,9 @@ struct PartInput {
     std::optional<Preset<MaterialValues>> material;
     std::optional<ErosionInput> erosion;
     std::vector<FixInput> fix;
+    std::vector<DriveInput> drive;
     std::vector<PointMassInput> point_masses;
+    std::vector<StartInput> start;
     Vector3d velocity;  ///< at the start [m/s]
     Vector3d spin;      ///< at the start, of a rigid part that moves [rad/s]
     Places places;
@@ -136,16 +159,24 @@ struct PartInput {
 /// Where a charge stands, for the empirical load.
 enum class BurstInput { spherical, hemispherical };
 
+/// What faces get that do not see the charge.
+enum class ShadowInput { nothing, incident };
+
 struct ConwepInput {
     double mass = 0;  ///< of TNT [kg]
     Vector3d center;  ///< [m]
     BurstInput burst = BurstInput::spherical;
     double time = 0;  ///< of the detonation [s]
+    ShadowInput shadow = ShadowInput::nothing;
 };
 
 struct LoadInput {
     std::optional<ConwepInput> conwep;
+    std::optional<CurveInput> pressure;  ///< [Pa]
+    std::optional<CurveInput> force;     ///< [N]
     std::string part;
+    std::string where = "all";
+    std::optional<Vector3d> direction;  ///< of the force
     Places places;
 };
 
@@ -155,6 +186,14 @@ template <>
 const std::vector<std::pair<std::string, Held>>& words_of<Held>();
 template <>
 const std::vector<std::pair<std::string, BurstInput>>& words_of<BurstInput>();
+template <>
+const std::vector<std::pair<std::string, ShadowInput>>& words_of<ShadowInput>();
+template <>
+const std::vector<std::pair<std::string, DrivenAxis>>& words_of<DrivenAxis>();
+template <>
+const Table& table_of<DriveInput>();
+template <>
+const Table& table_of<StartInput>();
 template <>
 const Table& table_of<DiskInput>();
 template <>

@@ -33,6 +33,19 @@ void complete_path(ShapeInput& shape, const CaseDescription& description)
     if (shape.surface) shape.surface->file = full_path(shape.surface->file, description);
 }
 
+void complete_path(std::optional<CurveInput>& curve, const CaseDescription& description)
+{
+    if (curve && curve->file) curve->file->file = full_path(curve->file->file, description);
+}
+
+/// Meshes and curves of a part.
+void complete_paths(PartInput& part, const CaseDescription& description)
+{
+    if (part.mesh.file) part.mesh.file = full_path(*part.mesh.file, description);
+    for (DriveInput& drive : part.drive)
+        for (auto* curve : {&drive.displacement, &drive.velocity, &drive.acceleration}) complete_path(*curve, description);
+}
+
 }  // namespace
 
 CaseDescription read_case(const std::filesystem::path& file, const std::vector<std::string>& settings)
@@ -68,8 +81,9 @@ CaseDescription read_case_text(const std::string& text, const std::string& file,
 std::string resolved_case(const CaseDescription& description)
 {
     CaseDescription full = description;
-    for (PartInput& part : full.parts)
-        if (part.mesh.file) part.mesh.file = full_path(*part.mesh.file, description);
+    for (PartInput& part : full.parts) complete_paths(part, description);
+    for (LoadInput& load : full.loads)
+        for (auto* curve : {&load.pressure, &load.force}) complete_path(*curve, description);
     for (ChargeInput& charge : full.charges) complete_path(charge.shape, description);
     for (FillInput& fill : full.fills) complete_path(fill.shape, description);
     return toml_document(write_table(&full, table_of<CaseDescription>()));

@@ -116,6 +116,58 @@ TEST(ConwepLoad, pushes_away_from_the_charge_whichever_way_facets_are_turned)
     EXPECT_NEAR(apply_until(from_below, 2e-3, 1e-5).momentum.z / -given.momentum.z, 1, 1e-12);
 }
 
+/// Adds a facet of a further part: a triangle in z = height that covers the plate as seen from above. [m]
+void add_screen(Structure& structure, double height)
+{
+    Nodes& nodes = structure.nodes;
+    const auto first = static_cast<std::uint32_t>(nodes.reference.size());
+    for (const Vector3d& at : {Vector3d{-2, -1, height}, Vector3d{2, -1, height}, Vector3d{0, 3, height}}) nodes.reference.push_back(at);
+    nodes.previous = nodes.position = nodes.reference;
+    nodes.velocity.resize(nodes.reference.size());
+    nodes.impulse.resize(nodes.reference.size());
+    nodes.mass.resize(nodes.reference.size());
+    nodes.inverse_mass.resize(nodes.reference.size());
+    structure.surface.facets.push_back({{first, first + 1, first + 2}, 1, 1});
+}
+
+TEST(ConwepLoad, what_another_part_hides_gets_nothing_or_the_incident_wave)
+{
+    Structure open = square_plate(0.02, 1, true), hidden = open, beside = open;
+    add_screen(hidden, 0.3);
+    add_screen(beside, -0.3);                                 // behind the plate
+    EXPECT_THROW(ConwepLoad(hidden, 0, charge), InputError);  // none of it sees the charge
+    ConwepLoad in_the_open(open, 0, charge), before_a_wall(beside, 0, charge);
+    const double full = apply_until(in_the_open, 3e-3, 1e-5).momentum.z;
+    EXPECT_EQ(apply_until(before_a_wall, 3e-3, 1e-5).momentum.z, full);
+
+    ConwepCharge diffracted = charge;
+    diffracted.shadow = Shadow::incident;
+    ConwepLoad shadowed(hidden, 0, diffracted);
+    const double expected = kingery_bulmash(Burst::spherical, 15, 0.7).incident_impulse * 0.02 * 0.02;
+    EXPECT_NEAR(apply_until(shadowed, 5e-3, 1e-5).momentum.z / -expected, 1, 0.005);
+    ConwepLoad on_the_screen(hidden, 1, charge);  // which sees it
+    EXPECT_LT(apply_until(on_the_screen, 3e-3, 1e-5).momentum.z, 0);
+}
+
+TEST(ConwepLoad, half_a_screen_shades_half_a_plate)
+{
+    Structure structure = square_plate(1, 10, true);
+    add_screen(structure, 0.01);
+    for (std::size_t n = structure.nodes.reference.size() - 3; n < structure.nodes.reference.size(); ++n)
+        structure.nodes.reference[n].x += 2.0;  // from x = 0 on, about
+    structure.nodes.reference[structure.nodes.reference.size() - 1] = {0, 3, 0.01};
+    structure.nodes.reference[structure.nodes.reference.size() - 3] = {0, -3, 0.01};
+    structure.nodes.previous = structure.nodes.position = structure.nodes.reference;
+    ConwepLoad load(structure, 0, {15, {0, 0, 0.7}, Burst::spherical, 0});
+    for (const std::uint32_t f : load.facets()) {
+        const auto& node = structure.surface.facets[f].node;
+        double x = 0;
+        for (const std::uint32_t n : node) x += structure.nodes.reference[n].x / 3;
+        EXPECT_LT(x, 0);
+    }
+    EXPECT_EQ(load.facets().size(), 100u);  // half of 200
+}
+
 TEST(ConwepLoad, work_is_the_kinetic_energy_of_free_nodes)
 {
     Structure structure = square_plate(0.3, 3, false);
