@@ -16,7 +16,10 @@ def main():
     for number, case in enumerate(cases):
         _, out, _ = execute(folder, "check", str(case), check=0)
         assert "the case is good" in out, out
-        execute(folder, "run", str(case), "--out", f"run{number}", "--quiet", "--set", "end_time=0.02 ms", check=0)
+        early = ["--set", "end_time=0.02 ms"]
+        if 'start = "spherical"' in case.read_text():  # which begins later than that
+            early += ["--set", "gas.start=detonation"]
+        execute(folder, "run", str(case), "--out", f"run{number}", "--quiet", *early, check=0)
         assert (folder / f"run{number}/report.html").stat().st_size > 1000
         print(f"{case.relative_to(EXAMPLES)}: as it should be", flush=True)
     shutil.rmtree(folder)
