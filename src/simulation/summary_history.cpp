@@ -79,7 +79,9 @@ void add_probes(RunSummary& summary, const HistoryTable& history, const std::vec
     for (std::size_t i = 0; i < history.columns.size(); ++i) {
         const HistoryColumn& column = history.columns[i];
         const std::string owner = column_name(column.name).owner;
-        if (std::find(probes.begin(), probes.end(), owner) == probes.end()) continue;
+        const std::string kind = column_name(column.name).quantity;
+        const bool probed = kind == "displacement" || kind == "velocity";  // a gauge of the same name has more
+        if (!probed || std::find(probes.begin(), probes.end(), owner) == probes.end()) continue;
         const std::string quantity = column.name.substr(owner.empty() ? 0 : owner.size() + 1);
         if (const auto result = extremes(history.times, history.values[i]))
             summary.probes[owner][summary_key(quantity, column.unit)] = *result;

@@ -133,11 +133,14 @@ TEST(SummaryHistory, TakesColumnNamesApart)
 TEST(SummaryHistory, FindsExtremesBetweenGaps)
 {
     const double gap = std::numeric_limits<double>::quiet_NaN();
-    HistoryTable history{{{"p.speed", "m/s"}, {"other.speed", "m/s"}}, {1, 2, 3, 4, 5}, {{gap, -2, 5, 1, gap}, {0, 0, 0, 0, 0}}};
+    HistoryTable history{{{"p.velocity_z", "m/s"}, {"other.velocity_z", "m/s"}, {"p.pressure", "Pa"}},
+                         {1, 2, 3, 4, 5},
+                         {{gap, -2, 5, 1, gap}, {0, 0, 0, 0, 0}, {1, 1, 1, 1, 1}}};  // a gauge is called p, too
     RunSummary summary;
     add_probes(summary, history, {"p"});
     ASSERT_EQ(summary.probes.size(), 1U);
-    const ProbeSummary& speed = summary.probes.at("p").at("speed_m_per_s");
+    ASSERT_EQ(summary.probes.at("p").size(), 1U);
+    const ProbeSummary& speed = summary.probes.at("p").at("velocity_z_m_per_s");
     EXPECT_EQ(speed.minimum, -2);
     EXPECT_EQ(speed.time_of_minimum, 2);
     EXPECT_EQ(speed.maximum, 5);
