@@ -84,6 +84,7 @@ void GridWalls::find_pushes(double duration)
 void GridWalls::find_push(Push& push, const WallFace& face, bool lower, double duration) const
 {
     push.cell = lower ? face.lower : face.upper;
+    if (push.cell != no_cell && grid_.walls.is_solid(push.cell)) push.cell = no_cell;
     if (push.cell == no_cell) return;
     push.crossing = lower ? &face.near_lower : &face.near_upper;
     const Vector3d area = lower ? face.area : -face.area;
@@ -120,6 +121,7 @@ void GridWalls::give_sources(double duration)
             given.part[m] -= cell.mixture.share[m] * cell.mixture.pressure * push.swept;
     }
     for (const WallCorner& corner : walls.corners) {
+        if (walls.is_solid(corner.from) || walls.is_solid(corner.to)) continue;
         const std::size_t from = source(corner.from), to = source(corner.to);
         flow_through(cell_state(grid_, corner.from), cell_state(grid_, corner.to), corner.area, walls.sources[from], walls.sources[to]);
     }
@@ -141,7 +143,9 @@ double GridWalls::stable_step() const
 FieldSet GridWalls::state()
 {
     if (!any()) return {name(), {}};
-    return {name(), {stored_field("facet_impulse", "N s", "impulse of the grid's gas on each facet since the start", facet_impulse_)}};
+    FieldSet set{name(), {stored_field("facet_impulse", "N s", "impulse of the grid's gas on each facet since the start", facet_impulse_)}};
+    set.fields.push_back(stored_field("solid", "1", "cells within solids", grid_.walls.solid));
+    return set;
 }
 
 }  // namespace corpuscle

@@ -30,13 +30,6 @@ void make_arrays(EulerGrid& grid)
     }
 }
 
-/// Place of the cell above a face from the face's number.
-std::array<std::size_t, 3> place_of_face(const EulerGrid& grid, int d, std::size_t face)
-{
-    const std::size_t nx = grid.axes[0].cells() + (d == 0 ? 1 : 0), ny = grid.axes[1].cells() + (d == 1 ? 1 : 0);
-    return {face % nx, face / nx % ny, face / nx / ny};
-}
-
 /// The shut face that some crossings between the same two cells make; `near_lower` and `near_upper` are the outermost of them.
 WallFace make_face(const EulerGrid& grid, const WallCrossing& near_lower, const WallCrossing& near_upper)
 {
@@ -98,6 +91,7 @@ void find_room(EulerGrid& grid)
         const int d = face.near_lower.axis;
         const double share = face.normal[d] * face.normal[d];
         const auto widen = [&](std::size_t cell, double length) {
+            if (walls.is_solid(cell)) return;
             const EulerAxis& axis = grid.axes[static_cast<std::size_t>(d)];
             const std::size_t at = grid.place(cell)[static_cast<std::size_t>(d)];
             walls.room_next[cell] += share * (length - 0.5 * axis.width(at)) / axis.width(at);
@@ -166,7 +160,10 @@ class SideChange {
 public:
     SideChange(EulerGrid& grid, const std::vector<SweptCell>& swept) : grid_(grid), arrays_(arrays_of(grid.now))
     {
-        for (const SweptCell& s : swept) cells_.push_back({s.cell, s.normal, around(grid, s.cell), {}, {}, false, false, {}, 0});
+        for (const SweptCell& s : swept) {
+            const bool was_solid = grid.walls.is_solid(s.cell);
+            cells_.push_back({s.cell, s.normal, around(grid, s.cell), {}, {}, false, false, was_solid, s.solid ? s.within : was_solid, 0});
+        }
     }
 
     /// The walls have been moved: what the cells held goes to those beside them on the side they leave, and they share what those on the
@@ -178,6 +175,7 @@ public:
             cell.after = around(grid_, cell.cell).open;
             for (const std::vector<double>* array : arrays_) cell.held.push_back((*array)[cell.cell]);
             cell.room = grid_.walls.room[cell.cell];
+            cell.given = cell.was_solid;
         }
         for (int round = 0; round < 4; ++round) {
             for (Cell& cell : cells_) {
@@ -186,6 +184,7 @@ public:
         }
         for (Cell& cell : cells_) {
             if (!cell.given) keep(cell);
+            if (cell.is_solid || cell.was_solid) change_solid(cell);
         }
         for (int round = 0; round < 4; ++round) {
             for (Cell& cell : cells_) {
@@ -205,9 +204,24 @@ private:
         OpenFaces after;
         std::vector<double> held;  ///< its numbers before
         bool given, taken;
-        std::vector<std::size_t> givers;
+        bool was_solid, is_solid;
         double room;
     };
+
+    /// A cell that a solid moves into holds no gas any more; its numbers are those of gas at rest, which nobody sees.
+    void change_solid(Cell& cell)
+    {
+        std::vector<std::uint8_t>& solid = grid_.walls.solid;
+        if (cell.is_solid && !cell.was_solid) {
+            const auto other = static_cast<std::size_t>(std::find(solid.begin(), solid.end(), 1) - solid.begin());
+            for (auto* array : arrays_) (*array)[cell.cell] = other < solid.size() ? (*array)[other] : (*array)[cell.cell];
+            for (auto& motion : grid_.now.motion) motion[cell.cell] = 0;
+            if (solid.empty()) solid.assign(grid_.cells(), 0);
+        }
+        solid[cell.cell] = cell.is_solid ? 1 : 0;
+        grid_.walls.room[cell.cell] = 1;
+        cell.taken = cell.is_solid;
+    }
 
     [[nodiscard]] Cell* changing(std::size_t cell)
     {
@@ -236,7 +250,9 @@ private:
     void give(Cell& cell)
     {
         double whole = 0;
-        const auto takes = [&](std::size_t f) { return cell.before.open[f] && !changing(cell.before.cell[f]); };
+        const auto takes = [&](std::size_t f) {
+            return cell.before.open[f] && !changing(cell.before.cell[f]) && !grid_.walls.is_solid(cell.before.cell[f]);
+        };
         for (std::size_t f = 0; f < 6; ++f) whole += takes(f) ? weight(cell, f) : 0.0;
         if (whole > 0) {
             for (std::size_t f = 0; f < 6; ++f) {
@@ -259,7 +275,7 @@ private:
     [[nodiscard]] bool has_way(const Cell& cell)
     {
         for (std::size_t f = 0; f < 6; ++f) {
-            if (cell.before.open[f] && !changing(cell.before.cell[f])) return true;
+            if (cell.before.open[f] && !changing(cell.before.cell[f]) && !grid_.walls.is_solid(cell.before.cell[f])) return true;
         }
         return false;
     }
@@ -269,7 +285,7 @@ private:
     void take(Cell& cell)
     {
         const auto gives = [&](std::size_t f) {
-            if (!cell.after[f]) return false;
+            if (!cell.after[f] || grid_.walls.is_solid(cell.before.cell[f])) return false;
             const Cell* other = changing(cell.before.cell[f]);
             return other == nullptr || other->taken;
         };
@@ -356,9 +372,38 @@ void mark_blocks(EulerGrid& grid)
         }
     };
     for (const WallFace& face : grid.walls.faces) mark(face.place);
+    for (std::size_t c = 0; c < grid.walls.solid.size(); ++c) {
+        if (grid.walls.solid[c] != 0) mark(grid.place(c));
+    }
+}
+
+/// At the grid's edges nothing presses out of solids.
+void shut_solid_edges(EulerGrid& grid)
+{
+    EulerWalls& walls = grid.walls;
+    for (std::size_t c = 0; c < walls.solid.size(); ++c) {
+        if (walls.solid[c] == 0) continue;
+        const auto at = grid.place(c);
+        for (std::size_t d = 0; d < 3; ++d) {
+            for (const std::size_t side : {0u, 1u}) {
+                if (at[d] + side != (side == 0 ? 0 : grid.axes[d].cells())) continue;
+                auto face = at;
+                face[d] += side;
+                const std::size_t number = grid.face_number(static_cast<int>(d), face);
+                walls.open[d][number] = 0;
+                walls.widened.push_back({d, number});
+            }
+        }
+    }
 }
 
 }  // namespace
+
+std::array<std::size_t, 3> place_of_face(const EulerGrid& grid, int d, std::size_t face)
+{
+    const std::size_t nx = grid.axes[0].cells() + (d == 0 ? 1 : 0), ny = grid.axes[1].cells() + (d == 1 ? 1 : 0);
+    return {face % nx, face / nx % ny, face / nx / ny};
+}
 
 void cut(EulerGrid& grid, const std::vector<WallCrossing>& crossings, const std::vector<SweptCell>& swept)
 {
@@ -369,19 +414,22 @@ void cut(EulerGrid& grid, const std::vector<WallCrossing>& crossings, const std:
     change.carry_over();
     find_room(grid);
     shape_openings(grid);
+    shut_solid_edges(grid);
     mark_blocks(grid);
 }
 
 void cut_first(EulerGrid& grid, const std::vector<WallCrossing>& crossings)
 {
     if (crossings.empty() && !grid.walls.any()) return;
+    if (grid.walls.solid.empty()) find_solid_cells(grid, crossings);
     cut(grid, crossings, {});
     std::copy(grid.walls.room_next.begin(), grid.walls.room_next.end(), grid.walls.room.begin());
 }
 
-void end_cut(EulerWalls& walls)
+void end_cut(EulerGrid& grid)
 {
-    walls.room = walls.room_next;
+    grid.walls.room = grid.walls.room_next;
+    if (!grid.walls.solid.empty()) keep_solid_cells(grid);
 }
 
 }  // namespace corpuscle

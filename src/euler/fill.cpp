@@ -293,4 +293,20 @@ void fill(EulerGrid& grid, const std::vector<EulerFill>& fills, std::size_t samp
     finish(grid);
 }
 
+void fill_at_middles(EulerGrid& grid, const std::vector<EulerFill>& fills, const std::vector<std::size_t>& cells)
+{
+    for (const std::size_t c : cells) {
+        const auto waits = [&](const std::vector<double>& values) { return !values.empty() && values[c] > 0; };
+        if (std::any_of(grid.now.unburnt.begin(), grid.now.unburnt.end(), waits)) continue;
+        const Vector3d middle = in_space(grid, grid.middle(c));
+        const auto last = std::find_if(fills.rbegin(), fills.rend(), [&](const EulerFill& fill) { return fill.shape.contains(middle); });
+        if (last == fills.rend() || last->state.unburnt) continue;
+        for (auto& mass : grid.now.mass) mass[c] = 0;
+        for (auto& motion : grid.now.motion) motion[c] = 0;
+        for (auto& share : grid.now.share) share[c] = 0;
+        grid.now.energy[c] = 0;
+        add_sample(grid, c, last->state, 1);
+    }
+}
+
 }  // namespace corpuscle

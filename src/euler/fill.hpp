@@ -34,4 +34,7 @@ struct EulerFill {
 /// spherical and axisymmetric grids a point (x, y) is taken for (x, 0, 0), (x, 0, y). Refuses a point that is in no shape by InputError.
 void fill(EulerGrid& grid, const std::vector<EulerFill>& fills, std::size_t samples = 8);
 
+/// Lays cells out anew, each as it is at its middle, but for those that hold explosive: a wall that cuts a cell divides fills there.
+void fill_at_middles(EulerGrid& grid, const std::vector<EulerFill>& fills, const std::vector<std::size_t>& cells);
+
 }  // namespace corpuscle

@@ -200,7 +200,7 @@ EulerAmount flow(EulerGrid& grid, const Clock& clock)
         if (!block.active && !block.walled) press_edges(grid, block, clock.duration());
     }
     std::swap(grid.now, grid.next);
-    if (grid.walls.any()) end_cut(grid.walls);
+    if (grid.walls.any()) end_cut(grid);
     const EulerAmount released = burn(grid, clock.end());
     survey(grid, blocks, false, tiles);
     grid.worked += active_cells(grid);

@@ -112,7 +112,8 @@ Vector3d EulerGrid::middle(std::size_t cell) const
 
 double EulerGrid::volume(std::size_t cell) const
 {
-    return walls.any() ? walls.room[cell] * whole_volume(cell) : whole_volume(cell);
+    if (!walls.any()) return whole_volume(cell);
+    return walls.is_solid(cell) ? 0.0 : walls.room[cell] * whole_volume(cell);
 }
 
 std::size_t EulerGrid::face_number(int axis, const std::array<std::size_t, 3>& at) const
@@ -231,6 +232,10 @@ FieldSet cell_fields(const EulerGrid& grid)
     for (std::size_t m = 0; m < grid.materials.size(); ++m) {
         set.fields.push_back(derived_field<float>("share_" + grid.materials[m].name, "1", "share of the volume", count,
                                                   [&grid, m](std::size_t c) { return static_cast<float>(share_of(grid.now, m, c)); }));
+    }
+    if (!grid.walls.solid.empty()) {
+        set.fields.push_back(derived_field<float>("solid", "1", "1: within a solid, where there is no gas", count,
+                                                  [&grid](std::size_t c) { return grid.walls.is_solid(c) ? 1.0f : 0.0f; }));
     }
     return set;
 }

@@ -136,7 +136,8 @@ private:
         at[static_cast<std::size_t>(seen.across)] = line[0];
         at[static_cast<std::size_t>(seen.beside)] = line[1];
         const Vector3d along = normal[seen.axis] < 0 ? -normal : normal;
-        found_.push_back({static_cast<std::uint8_t>(seen.axis), grid_.face_number(seen.axis, at), place, number, weight, along});
+        found_.push_back({static_cast<std::uint8_t>(seen.axis), grid_.face_number(seen.axis, at), place, number, weight, along,
+                          seen.facet.solid, seen.facet.solid && normal[seen.axis] < 0});
     }
 
     [[nodiscard]] const EulerAxis& axis(int d) const { return grid_.axes[static_cast<std::size_t>(d)]; }
@@ -155,11 +156,12 @@ std::vector<Found> joined(const std::vector<std::vector<Found>>& parts)
 }
 
 /// Cells whose middles one facet passes.
-void add_swept(const EulerGrid& grid, std::uint32_t facet, const std::array<Vector3d, 3>& start, const std::array<Vector3d, 3>& end,
-               std::vector<SweptCell>& found)
+void add_swept(const EulerGrid& grid, std::uint32_t facet, bool solid, const std::array<Vector3d, 3>& start,
+               const std::array<Vector3d, 3>& end, std::vector<SweptCell>& found)
 {
     Box box;
     for (std::size_t c = 0; c < 3; ++c) box.include(start[c]), box.include(end[c]);
+    const Vector3d out = cross(end[1] - end[0], end[2] - end[0]);
     std::array<std::array<std::size_t, 2>, 3> range{};
     for (int d = 0; d < 3; ++d)
         range[static_cast<std::size_t>(d)] = middles_between(grid.axes[static_cast<std::size_t>(d)], d, box.lower[d], box.upper[d]);
@@ -170,7 +172,7 @@ void add_swept(const EulerGrid& grid, std::uint32_t facet, const std::array<Vect
                 MovingFacet moving{start, end};
                 for (std::size_t c = 0; c < 3; ++c) moving.start[c] -= middle, moving.end[c] -= middle;
                 const MovingFacet::Meeting met = moving.first_meeting(false);
-                if (met.fraction <= 1) found.push_back({grid.cell(i, j, k), facet, met.normal});
+                if (met.fraction <= 1) found.push_back({grid.cell(i, j, k), facet, met.normal, solid, solid && dot(met.normal, out) > 0});
             }
         }
     }
@@ -229,7 +231,7 @@ std::vector<SweptCell> swept_cells(const EulerGrid& grid, const Surface& surface
                 to[c] = nodes.end[surface.facets[f].node[c]];
             }
             if (from[0] == to[0] && from[1] == to[1] && from[2] == to[2]) continue;
-            add_swept(grid, static_cast<std::uint32_t>(f), from, to, parts[part]);
+            add_swept(grid, static_cast<std::uint32_t>(f), surface.facets[f].solid, from, to, parts[part]);
         }
     });
     std::vector<SweptCell> found = joined(parts);

@@ -23,6 +23,8 @@ struct SweptCell {
     std::size_t cell = 0;
     std::uint32_t facet = 0;
     Vector3d normal;
+    bool solid = false;   ///< the facet is the face of a solid ...
+    bool within = false;  ///< ... that the cell now lies in
 };
 
 /// The cells whose middles the facets pass as the nodes go straight from start to end, in ascending order.

@@ -20,6 +20,8 @@ struct WallCrossing {
     std::uint32_t facet = 0;         ///< of the surface
     std::array<double, 3> weight{};  ///< of the facet's nodes where it is met: none below 0, their sum is 1
     Vector3d normal;                 ///< of the facet, a unit vector with a positive part along the axis
+    bool solid = false;              ///< the facet is the face of a solid
+    bool enters = false;             ///< and the solid lies beyond it along the axis
 };
 
 /// A face of the grid that is shut because the surface lies between the two cells' middles. Each cell meets the crossing nearest to it.
@@ -62,9 +64,11 @@ struct EulerWalls {
     std::vector<std::size_t> source_cells;            ///< cells that walls or corners give to
     std::vector<WallSource> sources;                  ///< of these cells
     std::vector<std::int32_t> source_of;              ///< number in `sources` of each cell, -1: none
+    std::vector<std::uint8_t> solid;                  ///< of each cell, 1: it lies within a solid and holds no gas; empty without solids
     std::uint64_t squeezed = 0;                       ///< cells passed by a wall whose gas had no way to stay on its side
 
     [[nodiscard]] bool any() const { return !room.empty(); }
+    [[nodiscard]] bool is_solid(std::size_t cell) const { return !solid.empty() && solid[cell] != 0; }
 };
 
 }  // namespace corpuscle

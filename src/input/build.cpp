@@ -107,6 +107,19 @@ void add_load(Model& model, const LoadInput& input, const PlannedLoad& planned)
     });
 }
 
+/// Gases that a wall divides are not mixed in the cells that it cuts.
+void divide_by_walls(Model& model, const EulerPlan& plan)
+{
+    if (!model.grid_walls.any()) return;
+    model.grid_walls.begin();
+    std::vector<std::size_t> cells;
+    for (const WallFace& face : model.euler.walls.faces) {
+        for (const std::size_t cell : {face.lower, face.upper})
+            if (cell != no_cell) cells.push_back(cell);
+    }
+    if (!plan.start) fill_at_middles(model.euler, plan.fills, cells);
+}
+
 OutputSettings make_output(const CaseDescription& description)
 {
     const OutputInput& input = description.output;
@@ -138,6 +151,7 @@ std::unique_ptr<Model> build(const CaseDescription& description, CaseSurvey& sur
     let_sleep_beside_structure(*model);
     for (const ProbeInput& probe : description.probes) model->probes.push_back(make_probe(probe, model->structure, survey.warnings));
     if (survey.euler) model->euler = at_place(description.euler->places.own, [&] { return fill_grid(*survey.euler); });
+    if (survey.euler) divide_by_walls(*model, *survey.euler);
     for (const GaugeInput& gauge : description.gauges)
         model->gauges.push_back(survey.euler && !gauge.facets ? make_grid_gauge(gauge, model->euler) : make_gauge(gauge, *model));
     model->known_blast = known_blast(description);

@@ -316,11 +316,7 @@ EulerPlan plan_euler(const CaseDescription& description, std::vector<std::string
     fill_around(plan, input);
     for (const FillInput& fill : description.fills) add_fill(plan, fill, description);
     for (const ChargeInput& charge : description.charges) add_charge(plan, charge, description);
-    if (input.start == StartRule::spherical) {
-        plan_grid_start(plan, description);
-    } else {
-        warn_of_coarse_cells(plan, warnings);
-    }
+    if (input.start != StartRule::spherical) warn_of_coarse_cells(plan, warnings);
     return plan;
 }
 

@@ -65,13 +65,9 @@ void check_grid(const CaseDescription& description, Problems& problems)
         if (round)
             problems.add(fmt::format("part '{}' stands beside [euler] with a symmetry: parts meet grids in space only", part.name),
                          "expected [euler] without symmetry (planes of symmetry are rigid edges), or [gas] in its place", part.places.own);
-        else if (part.element.is_solid())
-            problems.add(
-                fmt::format("part '{}' of solids stands beside [euler], whose grid meets shells and rigid surfaces only", part.name),
-                "expected shells, a rigid surface, or [gas] in place of [euler]", part.places.own);
-        else if (description.euler->start == StartRule::spherical)
-            problems.add(fmt::format("part '{}' stands beside [euler] that starts spherical", part.name),
-                         "expected start = \"detonation\", or [gas] in place of [euler]", description.euler->places.of("start"));
+        else if (part.element.is_solid() && part.erosion)
+            problems.add(fmt::format("part '{}' of solids that erode stands beside [euler]", part.name),
+                         "expected no erosion of it, or [gas] in place of [euler]", part.places.own);
     }
 }
 

@@ -178,11 +178,13 @@ void check_cells_between(const EulerPlan& plan, const Place& place)
 
 }  // namespace
 
-void plan_grid_start(EulerPlan& plan, const CaseDescription& description)
+void plan_grid_start(EulerPlan& plan, const Structure& structure, const CaseDescription& description)
 {
     const Place& place = description.euler->places.of("start");
+    if (!description.loads.empty())
+        throw InputError("start = \"spherical\" beside a [[load]]: the load's beginning would be missed", "leave one of them out", place);
     const LoneCharge lone = lone_charge(description, "start = \"spherical\"", place);
-    double obstacle = distance_to_faces(plan.domain, lone.center);
+    double obstacle = std::min(distance_to_faces(plan.domain, lone.center), distance_to_structure(structure, lone.center));
     for (std::size_t f = 1; f + 1 < plan.fills.size(); ++f)
         obstacle = std::min(obstacle, distance_to_box(lone.center, plan.fills[f].shape.bounds()));
     plan.start = solve_free_blast(lone, obstacle, description.end_time, place);

@@ -24,10 +24,7 @@ constexpr double nearing = 0.95;
 
 double distance_to_obstacles(const GasPlan& plan, const Structure& structure, const CaseDescription& description, const Vector3d& center)
 {
-    double nearest = distance_to_faces(plan.gas.domain, center);
-    const std::vector<Vector3d>& at = structure.nodes.position;
-    for (const Facet& facet : structure.surface.facets)
-        nearest = std::min(nearest, distance_to_triangle(center, {at[facet.node[0]], at[facet.node[1]], at[facet.node[2]]}));
+    double nearest = std::min(distance_to_faces(plan.gas.domain, center), distance_to_structure(structure, center));
     const std::size_t first = description.gas->fill ? 1 : 0;
     for (std::size_t i = first; i < first + description.fills.size(); ++i)
         nearest = std::min(nearest, distance_to_box(center, plan.fills[i].shape.bounds()));
@@ -105,6 +102,15 @@ double distance_to_faces(const Domain& domain, const Vector3d& center)
         const double wall = face % 2 == 0 ? domain.box.lower[axis] : domain.box.upper[axis];
         nearest = std::min(nearest, std::abs(center[axis] - wall));
     }
+    return nearest;
+}
+
+double distance_to_structure(const Structure& structure, const Vector3d& center)
+{
+    double nearest = std::numeric_limits<double>::infinity();
+    const std::vector<Vector3d>& at = structure.nodes.position;
+    for (const Facet& facet : structure.surface.facets)
+        nearest = std::min(nearest, distance_to_triangle(center, {at[facet.node[0]], at[facet.node[1]], at[facet.node[2]]}));
     return nearest;
 }
 

@@ -37,6 +37,9 @@ struct FreeBlast {
 /// Distance from a blast's center to the nearest face of a domain that is no plane of symmetry through it [m].
 [[nodiscard]] double distance_to_faces(const Domain& domain, const Vector3d& center);
 
+/// Distance from a point to the nearest facet of a structure; infinity if it shows none [m].
+[[nodiscard]] double distance_to_structure(const Structure& structure, const Vector3d& center);
+
 /// Distance between a point and a box, 0 within [m].
 [[nodiscard]] double distance_to_box(const Vector3d& point, const Box& box);
 

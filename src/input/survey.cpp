@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "input/check_names.hpp"
+#include "input/grid_start.hpp"
 #include "input/memory.hpp"
 
 namespace corpuscle {
@@ -94,6 +95,7 @@ CaseSurvey survey_case(const CaseDescription& description)
     survey.loads = std::move(notes.loads);
     survey.memory = check_room(description, survey);
     warn_of_room(survey);
+    if (survey.euler && description.euler->start == StartRule::spherical) plan_grid_start(*survey.euler, survey.structure, description);
     if (survey.gas) check_charges_apart(*survey.gas, survey.structure, description);
     if (survey.gas && description.gas->start == StartRule::spherical)
         survey.gas->start = solve_spherical_start(*survey.gas, survey.structure, description);
