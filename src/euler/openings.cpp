@@ -59,10 +59,9 @@ private:
         Spot cell = face.place;
         --cell[static_cast<std::size_t>(t)];
         const std::size_t at = cell[static_cast<std::size_t>(d)];
-        const double shift = blended(face, d, face.shift) * axis(3 - d - t).width(cell[static_cast<std::size_t>(3 - d - t)]);
         for (const std::size_t side : {0u, 1u}) {
             if (side == 0 ? at == 0 : at + 1 == axis(d).cells()) {
-                open_edge(cell, d, t, side, shift);
+                open_edge(number, cell, d, side);
                 continue;
             }
             const Square square = square_at(side == 0 ? back(cell, d) : cell, std::min(d, t), std::max(d, t));
@@ -119,12 +118,24 @@ private:
         walls_.widened.push_back({axis_number, number});
     }
 
-    /// Along an edge of the grid the wall goes on as in a mirror: the edge's own face grows or shrinks.
-    void open_edge(const Spot& cell, int d, int t, std::size_t side, double area)
+    /// At an edge of the grid the edge's own face grows or shrinks: the wall goes on as in a mirror beyond a rigid edge, straight on beyond
+    /// an open one.
+    void open_edge(std::int32_t number, const Spot& cell, int d, std::size_t side)
     {
-        const Spot face = moved(cell, d, side);
-        widen(d, face, area);
-        widen(d, moved(face, t, 1), -area);
+        WallFace& face = wall(number);
+        const int t = face.near_lower.axis;
+        const double breadth = axis(3 - d - t).width(cell[static_cast<std::size_t>(3 - d - t)]), sign = side == 0 ? -1 : 1;
+        const double own = breadth * blended(face, d, face.shift);
+        double there = own;
+        if (grid_.edges[2 * static_cast<std::size_t>(d) + side] == EulerEdge::open) {
+            const double half = 0.5 * axis(t).width(cell[static_cast<std::size_t>(t)]);
+            const double rise = -0.5 * sign * axis(d).width(cell[static_cast<std::size_t>(d)]) * face.normal[d] / face.normal[t];
+            there = breadth * blended(face, d, std::clamp(face.shift + rise, -half, half));
+        }
+        face.area[d] += sign * (own - there);
+        const Spot edge = moved(cell, d, side);
+        widen(d, edge, there);
+        widen(d, moved(edge, t, 1), -there);
     }
 
     void shape(const Square& square)
