@@ -48,5 +48,24 @@ def check_bits(folder):
     assert history_rows(folder / "cut") == history_rows(folder / "a")
 
 
+SOLID = GRID[:GRID.index("[[part]]")].replace("[euler]", '[euler]\nstart = "spherical"').replace('facets = "plate"', 'facets = "block"') + """[[part]]
+name = "block"
+mesh = { disk = { radius = "200 mm", element_size = "50 mm", quarter = true }, extrude = { height = "60 mm", layers = 1 }, move = [0, 0, "-60 mm"] }
+element = "solid"
+material = "rha_steel"
+fix = [{ where = "x=0", dof = "symmetry" }, { where = "y=0", dof = "symmetry" }]
+"""
+
+
+def check_solid(folder):
+    """A free block of solids, from the blast in one dimension on: closed books, gas outside it alone."""
+    (folder / "solid.toml").write_text(SOLID)
+    execute(folder, "run", "solid.toml", "--out", "solid", "--quiet", check=0)
+    summary = json.loads((folder / "solid/summary.json").read_text())
+    assert summary["status"] == "done"
+    assert abs(summary["ledger"]["mass_error"]) < 1e-12 and abs(summary["ledger"]["momentum_error"]) < 1e-12, summary["ledger"]
+    assert summary["parts"]["block"]["impulse_n_s"][2] < -10, summary["parts"]
+
+
 if __name__ == "__main__":
-    sys.exit(run_checks(GRID, [check_run, check_bits]))
+    sys.exit(run_checks(GRID, [check_run, check_bits, check_solid]))
