@@ -36,23 +36,28 @@ int flush_divisions(const PartInput& ring, const CaseDescription& description)
     return 0;
 }
 
+/// The elements of a set of the mesh; refuses a name it does not have, with the nearest it has.
+const std::vector<std::uint32_t>& elements_of(const Mesh& mesh, const std::string& set, const Place& place)
+{
+    const auto found = mesh.element_sets.find(set);
+    if (found != mesh.element_sets.end()) return found->second;
+    std::vector<std::string> names;
+    for (const auto& [name, elements] : mesh.element_sets) names.push_back(name);
+    throw InputError(fmt::format("the mesh has no group '{}'", set),
+                     names.empty() ? "the mesh has no groups of elements" : suggestion(set, names), place);
+}
+
 constexpr std::uint32_t no_element = 0xFFFFFFFFu;
 
 /// The elements of one set of a mesh, their nodes, and what of the other sets is among them.
 Mesh only_group(const Mesh& mesh, const std::string& group, const Place& place)
 {
-    const auto found = mesh.element_sets.find(group);
-    if (found == mesh.element_sets.end()) {
-        std::vector<std::string> names;
-        for (const auto& [name, elements] : mesh.element_sets) names.push_back(name);
-        throw InputError(fmt::format("the mesh has no group '{}'", group),
-                         names.empty() ? "the mesh has no groups of elements" : suggestion(group, names), place);
-    }
+    const std::vector<std::uint32_t>& chosen = elements_of(mesh, group, place);
     Mesh part = mesh;
     part.elements.clear();
     part.element_sets.clear();
     std::vector<std::uint32_t> kept_as(mesh.elements.size(), no_element);
-    for (const std::uint32_t element : found->second) {
+    for (const std::uint32_t element : chosen) {
         kept_as[element] = static_cast<std::uint32_t>(part.elements.size());
         part.elements.push_back(mesh.elements[element]);
     }
@@ -129,12 +134,23 @@ Drive make_drive(const Mesh& mesh, const PartInput& part, const DriveInput& inpu
     return drive;
 }
 
+/// The thickness of each shell, where sets of them have their own; else nothing. [m]
+std::vector<double> thicknesses_of(const Mesh& mesh, const ShellInputSection& shell)
+{
+    if (shell.sets.empty()) return {};
+    std::vector<double> thicknesses(mesh.elements.size(), shell.thickness);
+    for (const ThicknessInput& own : shell.sets)
+        for (const std::uint32_t element : elements_of(mesh, own.set, own.places.of("set"))) thicknesses[element] = own.thickness;
+    return thicknesses;
+}
+
 /// What the part's elements are and what they need besides a material.
 void set_section(PartDescription& built, const ElementInput& element)
 {
     if (element.shell) {
         built.element = ElementKind::shell;
         built.thickness = element.shell->thickness;
+        built.thicknesses = thicknesses_of(built.mesh, *element.shell);
         built.points = element.shell->points;
     } else if (element.membrane) {
         built.element = ElementKind::membrane;

@@ -183,11 +183,23 @@ const Table& table_of<MeshInput>()
 }
 
 template <>
+const Table& table_of<ThicknessInput>()
+{
+    static const Table table = TableBuilder<ThicknessInput>("sets", "Another thickness of some of the shells.")
+                                   .need("set", &ThicknessInput::set, {"", {}, "A set of elements of the mesh.", "\"girders\""})
+                                   .need("thickness", &ThicknessInput::thickness, {"m", above(0), "Their thickness.", "\"6 mm\""})
+                                   .table();
+    return table;
+}
+
+template <>
 const Table& table_of<ShellInputSection>()
 {
     static const Table table =
         TableBuilder<ShellInputSection>("shell", "Belytschko-Lin-Tsay shells.")
             .need("thickness", &ShellInputSection::thickness, {"m", above(0), "Thickness; the mesh is its middle.", "\"20 mm\""})
+            .row("sets", &ShellInputSection::sets,
+                 {"", {}, "Sets of elements with a thickness of their own.", "[{ set = \"girders\", thickness = \"6 mm\" }]"})
             .row("points", &ShellInputSection::points, {"", from_to(3, 10), "Integration points through the thickness.", "5"})
             .table();
     return table;

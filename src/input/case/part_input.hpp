@@ -58,8 +58,16 @@ struct MeshInput {
     Places places;
 };
 
+/// Another thickness of some of a part's shells.
+struct ThicknessInput {
+    std::string set;       ///< of elements
+    double thickness = 0;  ///< [m]
+    Places places;
+};
+
 struct ShellInputSection {
     double thickness = 0;  ///< [m]
+    std::vector<ThicknessInput> sets;
     int points = 5;
 };
 
@@ -218,6 +226,8 @@ template <>
 const Table& table_of<ErosionInput>();
 template <>
 const Table& table_of<MeshInput>();
+template <>
+const Table& table_of<ThicknessInput>();
 template <>
 const Table& table_of<ShellInputSection>();
 template <>

@@ -52,6 +52,19 @@ TEST(BuildStructure, TellsQualityAndStepByTheFilesNumbers)
     EXPECT_THAT(report.text(), HasSubstr("part 'sheet': 4 shell elements, 9 nodes"));
 }
 
+TEST(BuildStructure, SetsOfShellsHaveThicknessesOfTheirOwn)
+{
+    CaseDescription description = sheet("");
+    description.parts[0].mesh.group = "all of it";
+    description.parts[0].element.shell->sets = {{"quads", 0.3, {}}};
+    StructureNotes notes;
+    const Structure structure = build_structure(description, notes);
+    const double density = structure.parts[0].material.density;
+    EXPECT_NEAR(notes.parts[0].mass, density * (0.3 + 0.1), 1e-6 * density);  // two squares of 1 m2
+    description.parts[0].element.shell->sets[0].set = "quad";
+    EXPECT_THROW((void)build_structure(description, notes), InputError);
+}
+
 TEST(BuildStructure, SetsNodesMovingAndDrivesThem)
 {
     StructureNotes notes;
