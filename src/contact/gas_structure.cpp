@@ -13,6 +13,14 @@ namespace {
 constexpr int meeting_limit = 64;   ///< bounces of a particle in a step; then a facet carries it to the end of the leg
 constexpr std::size_t grain = 128;  ///< flights handed to a thread at a time
 
+/// Parts that a surface's facets name.
+std::size_t parts_of(const Surface& surface)
+{
+    std::size_t count = 0;
+    for (const Facet& facet : surface.facets) count = std::max<std::size_t>(count, facet.part + 1);
+    return count;
+}
+
 }  // namespace
 
 GasStructureContact::GasStructureContact(Gas& gas, Structure& structure)
@@ -21,7 +29,9 @@ GasStructureContact::GasStructureContact(Gas& gas, Structure& structure)
       tree_(structure.surface),
       facet_impulse_(tree_.size()),
       facet_squares_(tree_.size()),
-      facet_hits_(tree_.size())
+      facet_hits_(tree_.size()),
+      press_{std::vector<double>(tree_.size()), std::vector<double>(tree_.size())},
+      given_{std::vector<Vector3d>(parts_of(structure.surface)), std::vector<double>(parts_of(structure.surface))}
 {
 }
 
@@ -123,8 +133,13 @@ void GasStructureContact::bounce(Flight& flight, double closing, Transfer& given
     facet_squares_[flight.hit.facet] += scaled(impulse, impulse + 2 * flight.given);
     flight.given += impulse;
     ++facet_hits_[flight.hit.facet];
+    (flight.hit.upper ? press_.upper : press_.lower)[flight.hit.facet] -= dot(impulse, flight.hit.normal);
+    const double work = 0.5 * dot(impulse, before + after);
     given.momentum += impulse;
-    given.energy += 0.5 * dot(impulse, before + after);
+    given.energy += work;
+    const std::uint32_t part = structure_.surface.facets[flight.hit.facet].part;
+    given_.impulse[part] += impulse;
+    given_.work[part] += work;
 }
 
 FieldSet GasStructureContact::state()
@@ -134,6 +149,10 @@ FieldSet GasStructureContact::state()
     set.fields.push_back(stored_field("facet_impulse", "N s", "impulse of gas on each facet since the start", facet_impulse_));
     set.fields.push_back(stored_field("facet_squares", "N2 s2", "squared impulses of gas on each facet since the start", facet_squares_));
     set.fields.push_back(stored_field("facet_hits", "1", "particles that have hit each facet since the start", facet_hits_));
+    set.fields.push_back(stored_field("upper_press", "N s", "normal impulse on each facet's upper side since the start", press_.upper));
+    set.fields.push_back(stored_field("lower_press", "N s", "normal impulse on each facet's lower side since the start", press_.lower));
+    set.fields.push_back(stored_field("part_impulse", "N s", "impulse of gas on each part since the start", given_.impulse));
+    set.fields.push_back(stored_field("part_work", "J", "work of gas on each part since the start", given_.work));
     return set;
 }
 

@@ -12,6 +12,18 @@
 
 namespace corpuscle {
 
+/// What gas has pressed on each facet along its normal since the start, from its upper side (that of its own normal) and its lower one. [N
+/// s]
+struct FacetPress {
+    std::vector<double> upper, lower;
+};
+
+/// What gas has given each part since the start.
+struct PartsGiven {
+    std::vector<Vector3d> impulse;  ///< [N s]
+    std::vector<double> work;       ///< [J]
+};
+
 /// Gas on structure: particles bounce elastically off moving facets, each with the facet's effective mass at the point it hits, so
 /// every pair keeps its momentum and energy. Bounces follow each other in an order that does not depend on threads.
 class GasStructureContact : public Contact {
@@ -37,6 +49,9 @@ public:
     /// Sum of the squared impulses, by component, that particles have given to each facet; what a particle gives in one step counts as
     /// one. Hits come like rain (Poisson), so this is the variance of the impulse [N2 s2].
     [[nodiscard]] const std::vector<Vector3d>& facet_squares() const { return facet_squares_; }
+    [[nodiscard]] const FacetPress& facet_press() const { return press_; }
+    /// By part, as far as parts have facets.
+    [[nodiscard]] const PartsGiven& given_to_parts() const { return given_; }
     /// Particles that were squeezed where no free place was left since this was made: 0 in a sound run.
     [[nodiscard]] std::uint64_t trapped() const { return trapped_; }
 
@@ -57,6 +72,8 @@ private:
     std::vector<Vector3d> facet_impulse_;  ///< [N s]
     std::vector<Vector3d> facet_squares_;  ///< [N2 s2]
     std::vector<std::uint64_t> facet_hits_;
+    FacetPress press_;
+    PartsGiven given_;
     std::uint64_t trapped_ = 0;
 };
 

@@ -367,7 +367,7 @@ void FacetTree::test(std::uint32_t facet, Query& query) const
     const MovingFacet::Meeting met = moving.first_meeting(facet == query.except);
     if (met.fraction > 1 || met.fraction > query.best.fraction) return;
     if (met.fraction == query.best.fraction && query.best.facet >= 0 && query.best.facet < facet) return;
-    query.best = {facet, met.fraction, met.weight, met.normal};
+    query.best = {facet, met.fraction, met.weight, met.normal, met.upper};
 }
 
 }  // namespace corpuscle

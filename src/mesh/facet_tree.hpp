@@ -25,6 +25,7 @@ public:
         double fraction = 1;             ///< of the path
         std::array<double, 3> weight{};  ///< of the facet's nodes at the point met: none below 0, their sum is 1
         Vector3d normal;                 ///< unit normal at that moment, towards the side the path comes from
+        bool upper = false;              ///< which is the side of the facet's own normal, by the right hand
     };
 
     explicit FacetTree(const Surface& surface);

@@ -19,6 +19,7 @@ struct MovingFacet {
         double fraction = 2;             ///< of the path; above 1: none
         std::array<double, 3> weight{};  ///< of the corners at the point met
         Vector3d normal;                 ///< unit normal there, towards the side the point comes from
+        bool upper = false;              ///< which is the side of the facet's own normal
     };
 
     /// The first meeting after fraction 0; if `leaving`, the point starts on the facet and only a later meeting counts.
@@ -64,10 +65,11 @@ inline MovingFacet::Meeting MovingFacet::meeting_at(double t, double from_side, 
     const double drift = norm(end[0] - start[0]) + norm(end[1] - start[1]) + norm(end[2] - start[2]);
     const double tolerance = 1e-9 + std::min(1e-6, uncertainty * drift * std::sqrt(longest / square));
     if (std::min({weight[0], weight[1], weight[2]}) < -tolerance) return {};
-    Meeting meeting{t, {std::max(0.0, weight[0]), std::max(0.0, weight[1]), std::max(0.0, weight[2])}, {}};
+    Meeting meeting{t, {std::max(0.0, weight[0]), std::max(0.0, weight[1]), std::max(0.0, weight[2])}, {}, false};
     const double total = meeting.weight[0] + meeting.weight[1] + meeting.weight[2];
     for (double& w : meeting.weight) w /= total;
-    meeting.normal = area * ((from_side < 0 ? -1 : 1) / std::sqrt(square));
+    meeting.upper = !(from_side < 0);
+    meeting.normal = area * ((meeting.upper ? 1 : -1) / std::sqrt(square));
     return meeting;
 }
 

@@ -29,7 +29,12 @@ void add_vector_columns(HistorySource& source, const std::string& owner, const s
 }  // namespace
 
 Recorder::Recorder(Model& model)
-    : model_(model), gauges_(model), grid_gauges_(model), empirical_gauges_(model), resolution_(judge_resolution(model))
+    : model_(model),
+      gauges_(model),
+      grid_gauges_(model),
+      facet_loads_(model),
+      empirical_gauges_(model),
+      resolution_(judge_resolution(model))
 {
 }
 
@@ -41,7 +46,7 @@ OutputPlan Recorder::plan(const Clock& clock)
     grid_gauges_.add_to(plan, clock);
     empirical_gauges_.add_to(plan, clock);
     add_energies(plan);
-    if (model_.output.fields_every > 0) add_files(plan);
+    if (model_.output.fields_every > 0) add_files(plan, clock);
     plan.end_time = model_.end_time;
     plan.restart_every = model_.output.restart_every;
     return plan;
@@ -115,17 +120,19 @@ void write_averages(const Gas& gas, int cells, const VtkOptions& options, const 
     write_image(path, cell_centers(counts, grid.box.lower, cell), fields(grid), options);
 }
 
-void write_structure(Structure& structure, const VtkOptions& options, const std::filesystem::path& path)
+void write_structure(Structure& structure, const FieldSet& loads, const VtkOptions& options, const std::filesystem::path& path)
 {
     const std::vector<MeshElement> elements = cells(structure);
+    FieldSet shown = element_fields(structure);
+    shown.fields.insert(shown.fields.end(), loads.fields.begin(), loads.fields.end());
     const Field places = derived_field<Vector3d>("position", "m", "place", structure.nodes.size(),
                                                  [&structure](std::size_t i) { return structure.nodes.path().end[i]; });
-    write_cells(path, places, cell_grid(elements), {node_fields(structure), element_fields(structure)}, options);
+    write_cells(path, places, cell_grid(elements), {node_fields(structure), shown}, options);
 }
 
 }  // namespace
 
-void Recorder::add_files(OutputPlan& plan) const
+void Recorder::add_files(OutputPlan& plan, const Clock& clock)
 {
     const OutputSettings& settings = model_.output;
     const VtkOptions options{settings.compress ? 1 : 0};
@@ -146,8 +153,9 @@ void Recorder::add_files(OutputPlan& plan) const
             {"cells", settings.fields_every, [this, options](const auto& path) { write_grid(model_.euler, options, path); }});
     }
     if (!model_.structure.parts.empty()) {
-        plan.fields.push_back(
-            {"structure", settings.fields_every, [this, options](const auto& path) { write_structure(model_.structure, options, path); }});
+        plan.fields.push_back({"structure", settings.fields_every, [this, options, &clock](const auto& path) {
+                                   write_structure(model_.structure, facet_loads_.picture(clock.end()), options, path);
+                               }});
     }
 }
 

@@ -5,6 +5,7 @@
 
 #include "model/model.hpp"
 #include "simulation/empirical_gauges.hpp"
+#include "simulation/facet_loads.hpp"
 #include "simulation/gauges.hpp"
 #include "simulation/grid_gauges.hpp"
 #include "simulation/outputs.hpp"
@@ -23,7 +24,7 @@ public:
     [[nodiscard]] OutputPlan plan(const Clock& clock);
 
     /// Memory of the gauges, for a restart.
-    [[nodiscard]] std::vector<FieldSet> states() { return {gauges_.state(), grid_gauges_.state()}; }
+    [[nodiscard]] std::vector<FieldSet> states() { return {gauges_.state(), grid_gauges_.state(), facet_loads_.state()}; }
 
     /// How fine the particles are, and the noise of the load by all its hits.
     [[nodiscard]] std::vector<Verdict> verdicts() const;
@@ -31,10 +32,11 @@ public:
 private:
     void add_probe(OutputPlan& plan, const Probe& probe) const;
     void add_energies(OutputPlan& plan) const;
-    void add_files(OutputPlan& plan) const;
+    void add_files(OutputPlan& plan, const Clock& clock);
     Model& model_;
     Gauges gauges_;
     GridGauges grid_gauges_;
+    FacetLoads facet_loads_;
     EmpiricalGauges empirical_gauges_;
     std::vector<Verdict> resolution_;  ///< of the model as it was built
 };

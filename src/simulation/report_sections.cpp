@@ -175,10 +175,11 @@ std::string part_table(const RunSummary& summary)
 {
     std::vector<Row> rows;
     for (const auto& [name, part] : summary.parts) {
-        rows.push_back({name, shown_vector(part.impulse, "N s"), rounded(100 * part.max_plastic_strain, 3) + " %",
-                        shown_value(part.kinetic_energy, "J"), shown_value(part.internal_energy, "J")});
+        rows.push_back({name, shown_vector(part.impulse, "N s"), shown_value(part.gas_work, "J"),
+                        rounded(100 * part.max_plastic_strain, 3) + " %", shown_value(part.kinetic_energy, "J"),
+                        shown_value(part.internal_energy, "J")});
     }
-    return table("Parts", {"", "impulse taken up (x, y, z)", "plastic strain", "kinetic", "internal energy"}, rows);
+    return table("Parts", {"", "impulse taken up (x, y, z)", "work of gas", "plastic strain", "kinetic", "internal energy"}, rows);
 }
 
 std::string phase_table(const RunSummary& summary)

@@ -288,6 +288,11 @@ PartSummary Simulation::summarize_part(std::uint32_t p) const
     summary.max_plastic_strain = max_plastic_strain(part);
     summary.kinetic_energy = held.kinetic;
     summary.internal_energy = held.internal;
+    const PartsGiven& by_gas = model_->gas_structure.given_to_parts();
+    if (p < by_gas.work.size()) {
+        summary.gas_impulse = by_gas.impulse[p];
+        summary.gas_work = by_gas.work[p];
+    }
     const std::vector<Facet>& facets = model_->structure.surface.facets;
     for (std::size_t f = 0; f < facets.size(); ++f) {
         if (facets[f].part != p) continue;

@@ -118,10 +118,9 @@ Json parts_of(const RunSummary& summary)
 {
     Json parts = Json::object();
     for (const auto& [name, part] : summary.parts) {
-        parts[name] = {{"impulse_n_s", array_of(part.impulse)},
-                       {"max_plastic_strain", part.max_plastic_strain},
-                       {"kinetic_energy_j", part.kinetic_energy},
-                       {"internal_energy_j", part.internal_energy}};
+        parts[name] = {{"impulse_n_s", array_of(part.impulse)},         {"max_plastic_strain", part.max_plastic_strain},
+                       {"kinetic_energy_j", part.kinetic_energy},       {"internal_energy_j", part.internal_energy},
+                       {"gas_impulse_n_s", array_of(part.gas_impulse)}, {"gas_work_j", part.gas_work}};
     }
     return parts;
 }
@@ -233,6 +232,9 @@ void read_bodies(const Json& json, RunSummary& summary)
     for (const auto& [name, part] : json.at("parts").items()) {
         summary.parts[name] = {vector_of(part.at("impulse_n_s")), number(part.at("max_plastic_strain")),
                                number(part.at("kinetic_energy_j")), number(part.at("internal_energy_j"))};
+        if (!part.contains("gas_work_j")) continue;  // written by an earlier version
+        summary.parts[name].gas_impulse = vector_of(part.at("gas_impulse_n_s"));
+        summary.parts[name].gas_work = number(part.at("gas_work_j"));
     }
 }
 

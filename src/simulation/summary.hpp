@@ -48,6 +48,8 @@ struct PartSummary {
     double max_plastic_strain = 0;  ///< equivalent
     double kinetic_energy = 0;      ///< at the end [J]
     double internal_energy = 0;     ///< at the end [J]
+    Vector3d gas_impulse = {};      ///< of that by gas [N s]
+    double gas_work = 0;            ///< of gas on it [J]
 };
 
 /// A value to compare a curve with, from the case (an experiment, another code).

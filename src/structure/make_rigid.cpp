@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -101,8 +102,8 @@ MassPoints element_masses(const PartDescription& d)
     throw InputError(fmt::format("part '{}': {}", d.name, problem), remedy, d.place);
 }
 
-/// How many holds' nodes are held in each direction; all nodes or none must be.
-Vector3d freedom(const PartDescription& d, Directions Hold::* kind)
+/// Which nodes of a part are held along (or about) each axis.
+std::array<std::vector<bool>, 3> held_nodes(const PartDescription& d, Directions Hold::* kind)
 {
     std::array<std::vector<bool>, 3> held;
     for (std::vector<bool>& nodes : held) nodes.resize(d.mesh.nodes.size());
@@ -113,16 +114,70 @@ Vector3d freedom(const PartDescription& d, Directions Hold::* kind)
             for (const std::uint32_t node : hold.nodes)
                 if (by_axis[a]) held[a][node] = true;
     }
-    Vector3d free;
-    for (int a = 0; a < 3; ++a) {
-        const auto count = static_cast<std::size_t>(std::count(held[a].begin(), held[a].end(), true));
-        if (count != 0 && count != d.mesh.nodes.size())
-            refuse_body(d,
-                        fmt::format("a rigid part that moves has {} of its {} nodes held along {}", count, d.mesh.nodes.size(), "xyz"[a]),
-                        "hold all of a rigid part's nodes in a direction, or none: where = \"all\"");
-        free[a] = count == 0 ? 1.0 : 0.0;
+    return held;
+}
+
+/// How a body may move, and where the planes of symmetry lie that cut it along each axis [m].
+struct Freedom {
+    Vector3d free{1, 1, 1}, free_turn{1, 1, 1};
+    std::array<std::optional<double>, 3> plane;
+};
+
+/// Where the plane normal to an axis is in which all the marked nodes lie, with all others on one side of it.
+std::optional<double> plane_through(const std::vector<Vector3d>& nodes, const std::vector<bool>& marked, int axis)
+{
+    double low = 1e300, high = -1e300, lowest = 1e300, highest = -1e300;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        lowest = std::min(lowest, nodes[i][axis]);
+        highest = std::max(highest, nodes[i][axis]);
+        if (marked[i]) low = std::min(low, nodes[i][axis]), high = std::max(high, nodes[i][axis]);
     }
-    return free;
+    const double rounding = 1e-9 * std::max({highest - lowest, std::abs(lowest), std::abs(highest)});
+    const bool flat = high - low <= rounding, outermost = low - lowest <= rounding || highest - high <= rounding;
+    return flat && outermost ? std::optional(low) : std::nullopt;
+}
+
+/// Holds of all nodes take a direction from the body. Some nodes held along an axis and about both others are a plane of symmetry through
+/// the body's middle, which it can neither leave nor turn out of. All else would be a hinge.
+Freedom freedom_of(const PartDescription& d)
+{
+    const auto held = held_nodes(d, &Hold::translation), held_turn = held_nodes(d, &Hold::rotation);
+    const auto count = [](const std::vector<bool>& nodes) {
+        return static_cast<std::size_t>(std::count(nodes.begin(), nodes.end(), true));
+    };
+    const std::size_t all = d.mesh.nodes.size();
+    Freedom f;
+    for (int a = 0; a < 3; ++a) {
+        const int b = (a + 1) % 3, c = (a + 2) % 3;
+        if (count(held[a]) > 0) f.free[a] = 0;
+        if (count(held_turn[a]) == all) f.free_turn[a] = 0;
+        if (count(held[a]) == 0 || count(held[a]) == all) continue;
+        bool in_plane = true;
+        for (std::size_t i = 0; i < all; ++i) in_plane = in_plane && (!held[a][i] || (held_turn[b][i] && held_turn[c][i]));
+        f.plane[a] = in_plane ? plane_through(d.mesh.nodes, held[a], a) : std::nullopt;
+        if (!f.plane[a])
+            refuse_body(
+                d, fmt::format("a rigid part that moves has {} of its {} nodes held along {}", count(held[a]), all, "xyz"[a]),
+                "hold all of a rigid part's nodes in a direction, or none: where = \"all\"; or those in a plane of symmetry that cuts the "
+                "body: dof = \"symmetry\"");
+    }
+    for (int a = 0; a < 3; ++a) {
+        const bool by_plane = f.plane[(a + 1) % 3] || f.plane[(a + 2) % 3];
+        if (by_plane) f.free_turn[a] = 0;
+        if (!by_plane && f.free_turn[a] != 0 && count(held_turn[a]) > 0)
+            refuse_body(d, fmt::format("a rigid part that moves has {} of its {} nodes held about {}", count(held_turn[a]), all, "xyz"[a]),
+                        "hold all of a rigid part's nodes about an axis, or none: where = \"all\"");
+    }
+    return f;
+}
+
+/// Puts the center of a body that is the half of a symmetric one into the plane of symmetry, where that of the whole is.
+void center_in_planes(RigidBody& body, const Freedom& freedom)
+{
+    const Vector3d before = body.center;
+    for (int a = 0; a < 3; ++a) body.center[a] = freedom.plane[a].value_or(before[a]);
+    body.center_at_start = body.center;
+    body.inertia_at_start.add_mass(body.mass, body.center - before);
 }
 
 }  // namespace
@@ -150,10 +205,13 @@ RigidBody make_rigid_body(const PartDescription& d)
     for (const PointMass& extra : d.point_masses)
         for (const std::uint32_t node : extra.nodes) points.add(d.mesh.nodes[node], extra.mass / static_cast<double>(extra.nodes.size()));
     RigidBody body = rigid_body_of(points.places, points.masses);
-    if (d.rigid.center) body.center = body.center_at_start = *d.rigid.center;
+    const Freedom freedom = freedom_of(d);
+    center_in_planes(body, freedom);
+    if (d.rigid.center)
+        for (int a = 0; a < 3; ++a) body.center[a] = body.center_at_start[a] = freedom.plane[a].value_or((*d.rigid.center)[a]);
     if (d.rigid.inertia) body.inertia_at_start = {d.rigid.inertia->x, d.rigid.inertia->y, d.rigid.inertia->z, 0, 0, 0};
-    body.free = freedom(d, &Hold::translation);
-    body.free_turn = freedom(d, &Hold::rotation);
+    body.free = freedom.free;
+    body.free_turn = freedom.free_turn;
     body.velocity = scaled(d.velocity, body.free);
     body.spin_momentum = scaled(body.inertia_at_start * d.spin, body.free_turn);
     return body;

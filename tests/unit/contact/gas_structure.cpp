@@ -66,6 +66,35 @@ TEST(GasStructure, squares_of_impulses_add_up_whatever_their_side)
     EXPECT_EQ(squares.x, 0);
 }
 
+/// Sides are told apart, and so are parts: two particles from above on one facet, a lighter one from below on the other.
+TEST(GasStructure, each_side_and_part_has_its_own_account)
+{
+    MovingSurface wall = square_wall();
+    wall.surface.facets[1].part = 1;
+    Structure structure = bare_structure(wall.surface, wall.start, 2.0);
+    Gas gas = empty_gas(room, 0.5);
+    gas.species.push_back(gas.species[0]);
+    gas.species[1].particle_mass = 0.25;
+    gas.particles = {particle_at({0.3f, 0.1f, 0.25f}, {0, 0, -1000}), particle_at({0.5f, -0.5f, 0.25f}, {50, 0, -800}),
+                     particle_at({-0.5f, 0.5f, -0.25f}, {0, 70, 600})};
+    gas.particles[2].tag = particle_tag::make(1);
+    GasStructureContact contact(gas, structure);
+    const std::vector<Transfer> given = step(gas, contact, 1e-3);
+    const FacetPress& press = contact.facet_press();
+    EXPECT_GT(press.upper[0], 0.5 * (1000 + 800));  // more than if the particles had stopped
+    EXPECT_EQ(press.lower[0], 0);
+    EXPECT_EQ(press.upper[1], 0);
+    EXPECT_GT(press.lower[1], 0.25 * 600);
+    EXPECT_NEAR(press.upper[0], -contact.facet_impulse()[0].z, 1e-9);
+    EXPECT_NEAR(press.lower[1], contact.facet_impulse()[1].z, 1e-9);
+    const PartsGiven& parts = contact.given_to_parts();
+    ASSERT_EQ(parts.work.size(), 2u);
+    EXPECT_NEAR(parts.impulse[0].z, -press.upper[0], 1e-9);
+    EXPECT_NEAR(parts.impulse[1].z, press.lower[1], 1e-9);
+    EXPECT_NEAR(parts.work[0] + parts.work[1], given[0].energy, 1e-9 * given[0].energy);
+    EXPECT_GT(parts.work[0], 0);
+}
+
 /// A particle in the edge of two walls, at right angles, that hits both in a step: each has its own square. Between two parallel walls the
 /// second bounce takes back what the first gave, and so does its noise: the sum over both is that of the particle's whole impulse.
 TEST(GasStructure, what_a_particle_gives_in_one_step_counts_as_one)

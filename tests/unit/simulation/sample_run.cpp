@@ -76,7 +76,7 @@ ReportData sample_run()
     summary.references = {{"center.displacement_z", -0.047, "experiment <A & B>"}};
     add_probes(summary, data.history, {"center"});
     add_gauges(summary, data.history, {"wall"});
-    summary.parts["plate"] = {{0.1, -0.2, -1650}, 0.0123, 4.5e4, 8.9e4};
+    summary.parts["plate"] = {{0.1, -0.2, -1650}, 0.0123, 4.5e4, 8.9e4, {0, 0, -1600}, 1.3e5};
     data.resolved_case = "title = \"15 kg TNT\"  # </pre><script>\nend_time = \"3 ms\"\n";
     return data;
 }

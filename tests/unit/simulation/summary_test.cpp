@@ -56,7 +56,8 @@ TEST(Summary, HasThePromisedKeys)
     EXPECT_EQ(
         summary.at("parts").at("plate"),
         json::parse(
-            R"({"impulse_n_s": [0.1, -0.2, -1650], "max_plastic_strain": 0.0123, "kinetic_energy_j": 4.5e4, "internal_energy_j": 8.9e4})"));
+            R"({"impulse_n_s": [0.1, -0.2, -1650], "max_plastic_strain": 0.0123, "kinetic_energy_j": 4.5e4, "internal_energy_j": 8.9e4,
+                 "gas_impulse_n_s": [0, 0, -1600], "gas_work_j": 1.3e5})"));
     EXPECT_EQ(summary.at("ledger").at("transfers").at(0).at("from"), "gas");
     EXPECT_EQ(summary.at("verdicts").size(), 5U);
 }

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "../../unit/structure/blocks.hpp"
+#include "base/error.hpp"
 
 namespace corpuscle {
 namespace {
@@ -88,6 +89,59 @@ TEST(RigidPart, PointMassesShiftTheCenter)
     add_part(s, d);
     EXPECT_NEAR(s.nodes.bodies[0].mass, 4.0, 1e-12);
     EXPECT_NEAR(norm(s.nodes.bodies[0].center - Vector3d{0.025, 0.025, 0.025}), 0, 1e-14);
+}
+
+/// Half a box with its cut held in a plane of symmetry moves as the half of the whole box does under pushes that are mirror images: to
+/// round-off, which 200 steps of turning add up.
+TEST(RigidPart, HalfOnAPlaneOfSymmetryMovesAsTheWhole)
+{
+    PartDescription whole = rigid_block({4, 2, 2}, {0.3, 0.2, 0.1}), half = rigid_block({2, 2, 2}, {0.15, 0.2, 0.1});
+    for (Vector3d& place : whole.mesh.nodes) place.x -= 0.15;
+    std::vector<std::uint32_t> cut;
+    for (std::uint32_t i = 0; i < half.mesh.nodes.size(); ++i)
+        if (half.mesh.nodes[i].x == 0) cut.push_back(i);
+    half.holds = {symmetry(cut, 0)};
+    Structure all, part;
+    add_part(all, whole);
+    add_part(part, half);
+    const RigidBody &a = all.nodes.bodies[0], &h = part.nodes.bodies[0];
+    EXPECT_NEAR(h.mass, 0.5 * a.mass, 1e-12 * a.mass);
+    EXPECT_NEAR(h.inertia_at_start.xx, 0.5 * a.inertia_at_start.xx, 1e-12 * a.inertia_at_start.xx);
+    EXPECT_EQ(h.center.x, 0);
+    const auto node_at = [](const Structure& s, const Vector3d& place) {
+        std::uint32_t i = 0;
+        while (norm(s.nodes.reference[i] - place) > 1e-9) ++i;
+        return i;
+    };
+    const std::uint32_t corner = node_at(part, {0.15, 0.2, 0.1});
+    Clock clock, other;
+    for (int k = 0; k < 200; ++k) {
+        part.nodes.push(corner, {3, 1, 2});
+        all.nodes.push(node_at(all, {0.15, 0.2, 0.1}), {3, 1, 2});
+        all.nodes.push(node_at(all, {-0.15, 0.2, 0.1}), {-3, 1, 2});
+        step(part, clock, 1e-4);
+        step(all, other, 1e-4);
+    }
+    EXPECT_GT(norm(part.nodes.position[corner] - part.nodes.reference[corner]), 0.05);
+    for (std::size_t i = 0; i < part.nodes.size(); ++i) {
+        const std::uint32_t same = node_at(all, part.nodes.reference[i]);
+        EXPECT_LT(norm(part.nodes.position[i] - all.nodes.position[same]), 1e-10) << i;
+    }
+    EXPECT_NEAR(energy(part).kinetic, 0.5 * energy(all).kinetic, 1e-10 * energy(all).kinetic);
+}
+
+/// Nodes that are held along an axis alone, or inside the body, make a hinge, not a plane of symmetry.
+TEST(RigidPart, RefusesHinges)
+{
+    for (const double plane : {0.0, 0.15}) {
+        PartDescription d = rigid_block({4, 2, 2}, {0.3, 0.2, 0.1});
+        std::vector<std::uint32_t> some;
+        for (std::uint32_t i = 0; i < d.mesh.nodes.size(); ++i)
+            if (std::abs(d.mesh.nodes[i].x - plane) < 1e-9) some.push_back(i);
+        d.holds = {plane > 0 ? symmetry(some, 0) : Hold{some, {true, false, false}, {}}};
+        Structure s;
+        EXPECT_THROW(add_part(s, d), InputError);
+    }
 }
 
 }  // namespace
