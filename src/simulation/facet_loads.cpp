@@ -37,7 +37,7 @@ FacetLoads::FacetLoads(const Model& model) : model_(model), time_{model.start_ti
     before_.lower.resize(model.structure.element_count());
 }
 
-/// Gas tells its sides apart; a load presses from the side that its impulse points away from.
+/// Particles tell their sides apart; what loads and gases on a grid have given on the whole counts for the side that it points away from.
 FacetLoads::Sides FacetLoads::impulses() const
 {
     const Structure& structure = model_.structure;
@@ -49,8 +49,9 @@ FacetLoads::Sides FacetLoads::impulses() const
         if (facet.solid && structure.surface.is_hidden(f)) continue;
         const Vector3d own = shown_area(structure, facet);
         const double size = norm(own);
-        double along = 0;  // of the normal [N s]
-        for (const auto& load : model_.loads) along += size > 0 ? dot(load->facet_impulse()[f], own) / size : 0.0;
+        Vector3d loads = model_.grid_walls.facet_impulse()[f];
+        for (const auto& load : model_.loads) loads += load->facet_impulse()[f];
+        const double along = size > 0 ? dot(loads, own) / size : 0.0;
         area[facet.element] += size;
         sides.upper[facet.element] += gas.upper[f] + std::max(0.0, -along);
         sides.lower[facet.element] += gas.lower[f] + std::max(0.0, along);
