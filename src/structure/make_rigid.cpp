@@ -118,7 +118,7 @@ std::array<std::vector<bool>, 3> held_nodes(const PartDescription& d, Directions
 }
 
 /// How a body may move, and where the planes of symmetry lie that cut it along each axis [m].
-struct Freedom {
+struct BodyFreedom {
     Vector3d free{1, 1, 1}, free_turn{1, 1, 1};
     std::array<std::optional<double>, 3> plane;
 };
@@ -139,14 +139,14 @@ std::optional<double> plane_through(const std::vector<Vector3d>& nodes, const st
 
 /// Holds of all nodes take a direction from the body. Some nodes held along an axis and about both others are a plane of symmetry through
 /// the body's middle, which it can neither leave nor turn out of. All else would be a hinge.
-Freedom freedom_of(const PartDescription& d)
+BodyFreedom body_freedom(const PartDescription& d)
 {
     const auto held = held_nodes(d, &Hold::translation), held_turn = held_nodes(d, &Hold::rotation);
     const auto count = [](const std::vector<bool>& nodes) {
         return static_cast<std::size_t>(std::count(nodes.begin(), nodes.end(), true));
     };
     const std::size_t all = d.mesh.nodes.size();
-    Freedom f;
+    BodyFreedom f;
     for (int a = 0; a < 3; ++a) {
         const int b = (a + 1) % 3, c = (a + 2) % 3;
         if (count(held[a]) > 0) f.free[a] = 0;
@@ -172,7 +172,7 @@ Freedom freedom_of(const PartDescription& d)
 }
 
 /// Puts the center of a body that is the half of a symmetric one into the plane of symmetry, where that of the whole is.
-void center_in_planes(RigidBody& body, const Freedom& freedom)
+void center_in_planes(RigidBody& body, const BodyFreedom& freedom)
 {
     const Vector3d before = body.center;
     for (int a = 0; a < 3; ++a) body.center[a] = freedom.plane[a].value_or(before[a]);
@@ -205,7 +205,7 @@ RigidBody make_rigid_body(const PartDescription& d)
     for (const PointMass& extra : d.point_masses)
         for (const std::uint32_t node : extra.nodes) points.add(d.mesh.nodes[node], extra.mass / static_cast<double>(extra.nodes.size()));
     RigidBody body = rigid_body_of(points.places, points.masses);
-    const Freedom freedom = freedom_of(d);
+    const BodyFreedom freedom = body_freedom(d);
     center_in_planes(body, freedom);
     if (d.rigid.center)
         for (int a = 0; a < 3; ++a) body.center[a] = body.center_at_start[a] = freedom.plane[a].value_or((*d.rigid.center)[a]);
