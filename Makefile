@@ -4,6 +4,7 @@
 #   make test       installs what is missing, builds, runs every test and every check of the house
 #   make build      the program alone: build/release/app/corpuscle
 #   make validate   the runs behind the tables of docs/validation.md (long); TOPICS="plate" for one of tools/validation
+#   make paper      the figures and tables of docs/paper.md alone (hours)
 #   make bench      what is timed
 #   make lint       the checks of the house alone: floors, layout, clang-tidy, sanitizers
 #   make format     lays every source out as .clang-format says
@@ -17,7 +18,7 @@ CORPUSCLE := $(BUILD)/app/corpuscle
 DEMO := results/01_plate
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test build configured tests validate bench lint format install clean
+.PHONY: help demo test build configured tests validate paper bench lint format install clean
 
 help:
 	@sed -n '2,/^$$/s/^# \{0,1\}//p' Makefile
@@ -44,6 +45,9 @@ test: tests
 
 validate: tests
 	tools/validate.py $(BUILD) $(TOPICS)
+
+paper: build
+	tools/validate.py $(BUILD) paper
 
 bench: build
 	@mkdir -p results

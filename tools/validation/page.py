@@ -95,7 +95,8 @@ class Chart:
                 dash = ' stroke-dasharray="6 4"' if dashed else ""
                 parts.append(f'<polyline points="{path}" fill="none" stroke="{colour}" stroke-width="1.6"{dash}/>')
             y = self.top + 16 + 16 * k
-            parts.append(f'<path d="M{self.legend} {y - 4}h20" stroke="{colour}" stroke-width="2"/>'
+            dash = ' stroke-dasharray="6 4"' if dashed else ""
+            parts.append(f'<path d="M{self.legend} {y - 4}h20" stroke="{colour}" stroke-width="2"{dash}/>'
                          f'<text x="{self.legend + 26}" y="{y}">{html.escape(label)}</text>')
         return "\n".join([*parts, "</svg>", ""])
 
