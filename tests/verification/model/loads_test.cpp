@@ -115,7 +115,8 @@ TEST(Loads, PulseOfPressureGivesAFreePlateItsImpulse)
     bench.model->loads.push_back(std::make_unique<PressureLoad>(bench.model->structure, LoadedNodes{0, all, "pulse"}, pulse));
     bench.run(200e-6, 133);
     const Transfer given = bench.given_by("pressure");
-    // Pressure follows the area: the plate shakes by less than its own way, 0.9 mm, over an element of 50 mm; areas change by half the slope squared.
+    // Pressure follows the area: the plate shakes by less than its own way, 0.9 mm, over an element of 50 mm; areas change by half the
+    // slope squared.
     EXPECT_NEAR(given.momentum.z / (-175 * 0.04), 1, 0.5 * 0.018 * 0.018);
     EXPECT_NEAR(momentum(bench.model->structure).z / given.momentum.z, 1, 1e-12);
     // A quadrilateral's triangles share their load by thirds, its mass is shared by quarters: so the plate also shakes, which takes more
