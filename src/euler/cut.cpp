@@ -35,7 +35,7 @@ WallFace make_face(const EulerGrid& grid, const WallCrossing& near_lower, const 
 {
     const int d = near_lower.axis;
     const EulerAxis& axis = grid.axes[static_cast<std::size_t>(d)];
-    WallFace face{near_lower, near_upper, no_cell, no_cell, place_of_face(grid, d, near_lower.face), 0, 0, 0, {}, {}};
+    WallFace face{near_lower, near_upper, no_cell, no_cell, place_of_face(grid, d, near_lower.face), 0, 0, 0, {}, {}, false};
     const std::size_t at = face.place[static_cast<std::size_t>(d)];
     std::array<std::size_t, 3> below = face.place;
     if (at > 0) below[static_cast<std::size_t>(d)] = at - 1, face.lower = grid.cell(below[0], below[1], below[2]);
@@ -77,8 +77,51 @@ void shut_faces(EulerGrid& grid, const std::vector<WallCrossing>& crossings)
         while (last + 1 < crossings.size() && same(crossings[last + 1])) ++last;
         walls.shut[crossings[first].axis][crossings[first].face] = static_cast<std::int32_t>(walls.faces.size());
         walls.faces.push_back(make_face(grid, crossings[first], crossings[last]));
+        walls.faces.back().beyond_rim =
+            std::all_of(crossings.begin() + static_cast<std::ptrdiff_t>(first), crossings.begin() + static_cast<std::ptrdiff_t>(last + 1),
+                        [](const WallCrossing& c) { return c.beyond_rim; });
         first = last + 1;
     }
+}
+
+/// Whether the two cells of a shut face are joined all the same, by three open faces around one of its edges.
+bool joined_around(const EulerGrid& grid, const WallFace& face)
+{
+    const std::size_t d = face.near_lower.axis;
+    std::array<std::size_t, 3> lower = face.place;
+    --lower[d];
+    const auto open = [&](std::size_t axis, const std::array<std::size_t, 3>& above) {
+        return grid.walls.shut[axis][grid.face_number(static_cast<int>(axis), above)] < 0;
+    };
+    for (std::size_t e = 0; e < 3; ++e) {
+        for (const std::size_t side : {0u, 1u}) {
+            if (e == d || (side == 0 ? lower[e] == 0 : lower[e] + 1 == grid.axes[e].cells())) continue;
+            auto from = lower, to = face.place, beside = face.place;  // the faces from both cells to those beside, and between these
+            from[e] += side, to[e] += side;
+            beside[e] = side == 0 ? beside[e] - 1 : beside[e] + 1;
+            if (open(e, from) && open(e, to) && open(d, beside)) return true;
+        }
+    }
+    return false;
+}
+
+/// Opens again what only a rim's reach has shut and no slit asks for: faces whose cells are joined around them anyway, so that no two cells
+/// come together that were apart. Else the rim of a wall that lies almost along the grid would stand up as a dam of a cell's height.
+void open_beside_rims(EulerGrid& grid)
+{
+    EulerWalls& walls = grid.walls;
+    std::vector<std::uint8_t> opens(walls.faces.size(), 0);
+    for (std::size_t n = 0; n < walls.faces.size(); ++n) {
+        const WallFace& face = walls.faces[n];
+        opens[n] = face.beyond_rim && face.lower != no_cell && face.upper != no_cell && joined_around(grid, face) ? 1 : 0;
+    }
+    std::size_t kept = 0;
+    for (std::size_t n = 0; n < walls.faces.size(); ++n) {
+        const WallCrossing& at = walls.faces[n].near_lower;
+        walls.shut[at.axis][at.face] = opens[n] != 0 ? -1 : static_cast<std::int32_t>(kept);
+        if (opens[n] == 0) walls.faces[kept++] = walls.faces[n];
+    }
+    walls.faces.resize(kept);
 }
 
 /// Each shut face moves the cells' common boundary to the wall, by the square of the normal's part along the axis: with a plane wall the
@@ -411,6 +454,7 @@ void cut(EulerGrid& grid, const std::vector<WallCrossing>& crossings, const std:
     SideChange change(grid, swept);
     clear(grid.walls);
     shut_faces(grid, crossings);
+    open_beside_rims(grid);
     change.carry_over();
     find_room(grid);
     shape_openings(grid);

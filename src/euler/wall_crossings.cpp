@@ -111,10 +111,12 @@ private:
         std::array<double, 3> part;
         for (std::size_t e = 0; e < 3; ++e) part[e] = seen.side(e, x, y);
         const double sign = part[0] + part[1] + part[2] < 0 ? -1 : 1;
+        bool beyond_rim = false;
         for (std::size_t e = 0; e < 3; ++e) {
             part[e] *= sign;
             const double over = (free >> e & 1) != 0 ? reach_over * across.width(line[0]) * seen.edge_length(e) : 0;
             if (part[e] < -over) return;
+            beyond_rim |= part[e] < 0;
             part[e] = std::max(part[e], 0.0);
         }
         const double whole = part[0] + part[1] + part[2];
@@ -122,11 +124,11 @@ private:
         for (double& p : part) p /= whole;
         double place = 0;
         for (std::size_t c = 0; c < 3; ++c) place += part[c] * seen.corner[c][seen.axis];
-        note(number, seen, normal, line, part, place);
+        note(number, seen, normal, line, part, place, beyond_rim);
     }
 
     void note(std::uint32_t number, const Projected& seen, const Vector3d& normal, const std::array<std::size_t, 2>& line,
-              const std::array<double, 3>& weight, double place)
+              const std::array<double, 3>& weight, double place, bool beyond_rim)
     {
         const EulerAxis& own = axis(seen.axis);
         const double slack = 1e-3 * own.width(0);
@@ -137,7 +139,7 @@ private:
         at[static_cast<std::size_t>(seen.beside)] = line[1];
         const Vector3d along = normal[seen.axis] < 0 ? -normal : normal;
         found_.push_back({static_cast<std::uint8_t>(seen.axis), grid_.face_number(seen.axis, at), place, number, weight, along,
-                          seen.facet.solid, seen.facet.solid && normal[seen.axis] < 0});
+                          seen.facet.solid, seen.facet.solid && normal[seen.axis] < 0, beyond_rim});
     }
 
     [[nodiscard]] const EulerAxis& axis(int d) const { return grid_.axes[static_cast<std::size_t>(d)]; }

@@ -22,6 +22,7 @@ struct WallCrossing {
     Vector3d normal;                 ///< of the facet, a unit vector with a positive part along the axis
     bool solid = false;              ///< the facet is the face of a solid
     bool enters = false;             ///< and the solid lies beyond it along the axis
+    bool beyond_rim = false;         ///< the line passes the facet: only its rim reaches over to it
 };
 
 /// A face of the grid that is shut because the surface lies between the two cells' middles. Each cell meets the crossing nearest to it.
@@ -33,6 +34,7 @@ struct WallFace {
     double shift = 0;                              ///< of the wall from the face towards the upper cell, the mean of both crossings [m]
     Vector3d normal;                               ///< mean of both, unit, its part along the axis positive
     Vector3d area;                                 ///< of the wall, from the lower cell to the upper [m2]
+    bool beyond_rim = false;                       ///< nothing is met but what rims reach over to
 };
 
 /// An opening between two cells that touch along an edge only, around the wall in a third: see docs/theory/euler.md.
