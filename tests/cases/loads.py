@@ -2,11 +2,10 @@
 same bits for any number of threads, and after a stop and a resume."""
 
 import json
-import signal
 import sys
 
 from program import execute, run_checks
-from runs import history_rows, interrupted_run
+from runs import history_rows, same_after_interrupt, same_for_threads
 
 CASE = """title = "loads of every kind"
 end_time = "0.2 ms"
@@ -88,21 +87,8 @@ def header(folder):
     return (folder / "a/history.csv").read_text().splitlines()[0].split(",")
 
 
-def check_threads(folder):
-    execute(folder, "run", "case.toml", "--out", "three", "--quiet", "--threads", "3", check=0)
-    assert history_rows(folder / "a") == history_rows(folder / "three")
-
-
-def check_resume(folder):
-    words = ["--quiet", "--set", "gas.particles=30_000"]
-    assert interrupted_run(folder, signal.SIGTERM, "cut", words) == 130
-    execute(folder, "resume", "cut", "--quiet", check=0)
-    execute(folder, "run", "case.toml", "--out", "whole", *words, check=0)
-    assert history_rows(folder / "cut") == history_rows(folder / "whole")  # to the last bit
-
-
 def main():
-    return run_checks(CASE, [check_books, check_threads, check_resume])
+    return run_checks(CASE, [check_books, same_for_threads, same_after_interrupt])
 
 
 if __name__ == "__main__":

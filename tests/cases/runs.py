@@ -63,6 +63,21 @@ def interrupted_run(folder, number, out="cut", words=("--set", "gas.particles=20
         return process.returncode
 
 
+def same_for_threads(folder):
+    """Three threads give what run "a" gave, to the last bit."""
+    execute(folder, "run", "case.toml", "--out", "three", "--quiet", "--threads", "3", check=0)
+    assert history_rows(folder / "a") == history_rows(folder / "three")
+
+
+def same_after_interrupt(folder):
+    """A run stopped on its way and resumed leaves what one run leaves, to the last bit."""
+    words = ["--quiet", "--set", "gas.particles=30_000"]
+    assert interrupted_run(folder, signal.SIGTERM, "cut", words) == 130
+    execute(folder, "resume", "cut", "--quiet", check=0)
+    execute(folder, "run", "case.toml", "--out", "whole", *words, check=0)
+    assert history_rows(folder / "cut") == history_rows(folder / "whole")
+
+
 def check_interrupt(folder):
     assert interrupted_run(folder, signal.SIGTERM) == 130
     assert json.loads((folder / "cut/summary.json").read_text())["status"] == "interrupted"

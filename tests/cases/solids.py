@@ -2,11 +2,10 @@
 threads, and after a stop and a resume."""
 
 import json
-import signal
 import sys
 
 from program import execute, run_checks
-from runs import history_rows, interrupted_run
+from runs import same_after_interrupt, same_for_threads
 
 CASE = """title = "solids under a charge"
 end_time = "0.2 ms"
@@ -68,19 +67,6 @@ def check_books(folder):
     assert summary["parts"]["cloth"]["internal_energy_j"] > 0
 
 
-def check_threads(folder):
-    execute(folder, "run", "case.toml", "--out", "three", "--quiet", "--threads", "3", check=0)
-    assert history_rows(folder / "a") == history_rows(folder / "three")
-
-
-def check_resume(folder):
-    words = ["--quiet", "--set", "gas.particles=30_000"]
-    assert interrupted_run(folder, signal.SIGTERM, "cut", words) == 130
-    execute(folder, "resume", "cut", "--quiet", check=0)
-    execute(folder, "run", "case.toml", "--out", "whole", *words, check=0)
-    assert history_rows(folder / "cut") == history_rows(folder / "whole")  # to the last bit
-
-
 def check_survey(folder):
     said = execute(folder, "check", "case.toml", check=0)[1]
     for word in ["brick", "membrane", "rigid"]:
@@ -88,7 +74,7 @@ def check_survey(folder):
 
 
 def main():
-    return run_checks(CASE, [check_survey, check_books, check_threads, check_resume])
+    return run_checks(CASE, [check_survey, check_books, same_for_threads, same_after_interrupt])
 
 
 if __name__ == "__main__":
