@@ -3,6 +3,14 @@
 #include "schema/table_builder.hpp"
 
 namespace corpuscle {
+namespace {
+
+/// What `status` means, of every preset.
+constexpr const char* how_sure =
+    "How sure the values are: S read in the source, R not read there but repeated by independent works that cite it, M recalled and not read "
+    "again; +CJ: in accord with the Chapman-Jouguet condition.";
+
+}  // namespace
 
 template <>
 const Table& table_of<JwlValues>()
@@ -75,7 +83,7 @@ const Table& table_of<ExplosiveValues>()
             .row("detonation_pressure", &ExplosiveValues::detonation_pressure,
                  {"Pa", above(0), "Chapman-Jouguet pressure, for the record; nothing is computed from it.", "\"21 GPa\""})
             .row("source", &ExplosiveValues::source, {"", {}, "Where the values are from.", ""})
-            .row("status", &ExplosiveValues::status, {"", {}, "How sure the values are.", ""})
+            .row("status", &ExplosiveValues::status, {"", {}, how_sure, ""})
             .row("note", &ExplosiveValues::note, {"", {}, "A remark.", ""})
             .table();
     return table;
@@ -100,7 +108,7 @@ const Table& table_of<GasValues>()
             .row("molar_mass", &GasValues::molar_mass,
                  {"kg/mol", above(0), "Molar mass: turns temperatures into pressures.", "\"28.96 g/mol\""})
             .row("source", &GasValues::source, {"", {}, "Where the values are from.", ""})
-            .row("status", &GasValues::status, {"", {}, "How sure the values are.", ""})
+            .row("status", &GasValues::status, {"", {}, how_sure, ""})
             .row("note", &GasValues::note, {"", {}, "A remark.", ""})
             .one_of({"law", "gamma"})
             .table();
@@ -119,7 +127,7 @@ const Table& table_of<MaterialValues>()
             .need("poisson_ratio", &MaterialValues::poisson_ratio, {"", {0, 0.5, true, false}, "Poisson's ratio.", "0.28"})
             .need("strength", &MaterialValues::strength, {"", {}, "How it resists beyond elasticity.", "{ elastic = {} }"})
             .row("source", &MaterialValues::source, {"", {}, "Where the values are from.", ""})
-            .row("status", &MaterialValues::status, {"", {}, "How sure the values are.", ""})
+            .row("status", &MaterialValues::status, {"", {}, how_sure, ""})
             .row("note", &MaterialValues::note, {"", {}, "A remark.", ""})
             .table();
     return table;
