@@ -87,7 +87,7 @@ std::vector<Transfer> ConwepLoad::apply(const Clock& clock)
     given.to = "structure";
     for (std::size_t i = 0; i < facets_.size(); ++i) {
         for (const std::uint32_t node : structure_.surface.facets[facets_[i]].node)
-            given.energy += push_node(structure_.nodes, node, push_[i] / 3.0);
+            given.energy += push_node(structure_.nodes, node, push_[i] / 3.0, clock.duration());
         given.momentum += push_[i];
         facet_impulse_[facets_[i]] += push_[i];
     }

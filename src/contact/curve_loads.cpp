@@ -23,7 +23,7 @@ std::vector<Transfer> GravityLoad::apply(const Clock& clock)
     for (std::uint32_t node = 0; node < nodes.size(); ++node) {
         if (!(nodes.mass[node] > 0)) continue;
         given.momentum += nodes.mass[node] * fall;
-        given.energy += push_node(nodes, node, nodes.mass[node] * fall);
+        given.energy += push_node(nodes, node, nodes.mass[node] * fall, clock.duration());
     }
     for (RigidBody& body : nodes.bodies) {
         const Vector3d before = body.center_velocity();
@@ -54,7 +54,7 @@ std::vector<Transfer> PressureLoad::apply(const Clock& clock)
         if (structure_.surface.is_hidden(f)) continue;
         const auto& node = structure_.surface.facets[f].node;
         const Vector3d push = -impulse * middle_area(structure_.nodes, node);
-        for (const std::uint32_t n : node) given.energy += push_node(structure_.nodes, n, push / 3.0);
+        for (const std::uint32_t n : node) given.energy += push_node(structure_.nodes, n, push / 3.0, clock.duration());
         given.momentum += push;
         facet_impulse_[f] += push;
     }
@@ -80,7 +80,7 @@ std::vector<Transfer> ForceLoad::apply(const Clock& clock)
     Transfer given{"force", "structure", 0, {}, 0};
     const Vector3d share = force_.integral(clock.time(), clock.end()) / static_cast<double>(where_.nodes.size()) * direction_;
     for (const std::uint32_t node : where_.nodes) {
-        given.energy += push_node(structure_.nodes, node, share);
+        given.energy += push_node(structure_.nodes, node, share, clock.duration());
         given.momentum += share;
     }
     return {given};

@@ -7,12 +7,15 @@
 
 namespace corpuscle {
 
-/// Gives a node an impulse [N s]; returns the work it does, impulse times the mean of the velocities before and after [J].
-inline double push_node(Nodes& nodes, std::uint32_t node, const Vector3d& impulse)
+/// Gives a node the impulse of a load [N s] over a step of `duration` [s]; returns the work it does [J]. Central difference has velocities
+/// half a step before the forces: the load acts on the velocity in the middle, after half a step of the inner force.
+inline double push_node(Nodes& nodes, std::uint32_t node, const Vector3d& impulse, double duration)
 {
     const Vector3d before = nodes.contact_velocity(node);
     nodes.push(node, impulse);
-    return 0.5 * dot(impulse, before + nodes.contact_velocity(node));
+    const Vector3d after = nodes.contact_velocity(node);
+    const double inner = nodes.mass[node] > 0 ? 0.5 * duration * dot(nodes.force[node], after - before) : 0.0;
+    return 0.5 * dot(impulse, before + after) + inner;
 }
 
 /// Area times normal of a triangle as it stands half way through the step [m2].

@@ -90,10 +90,10 @@ void StructurePace::step(double duration, Phases& phases)
     Ledger& ledger = model_.ledger;
     clock_.begin_step(duration);
     phases.time("accelerate", [&] { ledger.add(accelerate(model_.structure, clock_)); });
+    phases.time("resist", [&] { ledger.add(resist(model_.structure, clock_)); });
     phases.time("load", [&] {
         for (const auto& load : model_.loads) ledger.add(load->apply(clock_));
     });
-    phases.time("resist", [&] { ledger.add(resist(model_.structure, clock_)); });
     clock_.end_step();
 }
 

@@ -71,13 +71,15 @@ struct Bench {
         for (int i = 0; i < steps; ++i) {
             clock.begin_step(duration);
             model->ledger.add(accelerate(model->structure, clock));
-            for (const auto& load : model->loads) model->ledger.add(load->apply(clock));
             model->ledger.add(resist(model->structure, clock));
+            for (const auto& load : model->loads) model->ledger.add(load->apply(clock));
             model->ledger.close_step(model->held(duration));
             clock.end_step();
             worst_energy = std::max(worst_energy, model->ledger.error().energy);
             worst_momentum = std::max(worst_momentum, model->ledger.error().momentum);
         }
+        EXPECT_LT(worst_energy, 1e-12);  // round-off: the step does not change
+        EXPECT_LT(worst_momentum, 1e-12);
     }
 
     [[nodiscard]] Transfer given_by(const std::string& from) const
