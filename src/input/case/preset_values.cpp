@@ -7,8 +7,8 @@ namespace {
 
 /// What `status` means, of every preset.
 constexpr const char* how_sure =
-    "How sure the values are: S read in the source, R not read there but repeated by independent works that cite it, M recalled and not read "
-    "again; +CJ: in accord with the Chapman-Jouguet condition.";
+    "How sure the values are: S read in the source, R not read there but repeated by independent works that cite it, M recalled and "
+    "not read again; +CJ: in accord with the Chapman-Jouguet condition.";
 
 }  // namespace
 
