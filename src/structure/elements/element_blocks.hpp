@@ -13,6 +13,9 @@
 
 namespace corpuscle {
 
+/// Blocks that a thread takes at a time: a few microseconds of work, so that threads end their loop together.
+inline constexpr std::size_t blocks_at_a_time = 8;
+
 /// What elements of any kind keep: numbers in blocks of `lane_count` elements side by side, which elements are left, and how long a
 /// step each allows.
 class ElementBlocks {

@@ -148,7 +148,8 @@ std::size_t FullBricks::resist(const Nodes& nodes, double duration, std::span<Co
     std::visit(
         [&]<class Law>(const Law& law) {
             if constexpr (for_solids<Law>())
-                for_each_dynamic(blocks_.block_count(), 8, [&](std::size_t b) { resist_block(law, nodes, duration, b, loads); });
+                for_each_dynamic(blocks_.block_count(), blocks_at_a_time,
+                                 [&](std::size_t b) { resist_block(law, nodes, duration, b, loads); });
         },
         material_.strength);
     return blocks_.review();

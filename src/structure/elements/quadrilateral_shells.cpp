@@ -102,7 +102,8 @@ std::size_t QuadrilateralShells::resist(const Nodes& nodes, double duration, std
     std::visit(
         [&]<class Law>(const Law& law) {
             if constexpr (for_shells<Law>())
-                for_each_dynamic(blocks_.block_count(), 32, [&](std::size_t b) { resist_block(law, nodes, duration, b, loads); });
+                for_each_dynamic(blocks_.block_count(), blocks_at_a_time,
+                                 [&](std::size_t b) { resist_block(law, nodes, duration, b, loads); });
         },
         section_.strength);
     return blocks_.review();
