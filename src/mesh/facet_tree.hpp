@@ -1,21 +1,17 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <vector>
 
-#include "fields/field.hpp"
-#include "math/box.hpp"
+#include "mesh/facet_grid.hpp"
 #include "mesh/surface.hpp"
 
 namespace corpuscle {
 
 /// Finds the first facet of a moving surface that a path meets. A uniform grid lists the facets near each of its cells, and tells
-/// at once how far any place is from all of them; it is made anew only when a facet leaves the margin it was put in with.
+/// at once how far any place is from all of them. A step costs what moves in it: facets at rest are left as they are.
 /// All tests are made in double precision, continuous in time, with edges that overlap: a closed surface does not leak.
 class FacetTree {
 public:
@@ -35,18 +31,7 @@ public:
     void follow(const NodePath& nodes, std::span<const std::uint8_t> hidden = {});
 
     /// Lower bound of the distance from a place to any facet at any moment of the step [m]: 0 if near, infinity without facets.
-    [[nodiscard]] double clearance(const Vector3f& position) const
-    {
-        const Vector3d p{position};
-        const double outside = distance_outside(p);
-        if (outside > 0) return outside;
-        const Vector3d q = (p - grid_.lower) * grid_.inverse_size;
-        const std::array<std::int32_t, 3> c{grid_.layer(q.x, 0), grid_.layer(q.y, 1), grid_.layer(q.z, 2)};
-        const int free = clearance_[grid_.index(c)];
-        if (free == 0) return 0;
-        const double inner = std::min({wall_distance(q.x - c[0]), wall_distance(q.y - c[1]), wall_distance(q.z - c[2])});
-        return grid_.size * std::max(0.0, free - 1 + inner - 1e-6);
-    }
+    [[nodiscard]] double clearance(const Vector3f& position) const { return grid_.clearance(Vector3d(position)); }
 
     /// Whether a facet, where it is at the start of the step, cuts the straight line between two places.
     [[nodiscard]] bool separates(const Vector3d& a, const Vector3d& b) const { return first_hit(a, b, 0, 0, -1).facet >= 0; }
@@ -63,37 +48,13 @@ public:
     [[nodiscard]] const std::array<std::uint32_t, 3>& nodes(std::int64_t facet) const { return facets_[facet]; }
     [[nodiscard]] std::array<Vector3d, 3> corners(std::int64_t facet, double fraction) const;
 
-    /// Times that the grid was made.
-    [[nodiscard]] std::uint64_t rebuilds() const { return rebuilds_; }
+    /// The grid in which facets are listed.
+    [[nodiscard]] const FacetGrid& grid() const { return grid_; }
 
-    /// What a restart needs so that clearances, which depend on when the grid was made, go on as they were.
-    [[nodiscard]] FieldSet state();
+    /// What a restart needs.
+    [[nodiscard]] FieldSet state() { return grid_.state(); }
 
 private:
-    static constexpr double nowhere = std::numeric_limits<double>::infinity();
-
-    /// Cubes that fill a box about all facets.
-    struct Grid {
-        Vector3d lower{nowhere, nowhere, nowhere}, upper{-nowhere, -nowhere, -nowhere};  ///< [m]
-        double size = 1;                                                                 ///< of a cell [m]
-        double inverse_size = 1;                                                         ///< [1/m]
-        std::array<std::int32_t, 3> count{0, 0, 0};
-
-        /// Layer of cells at so many cell sizes (at most 1e9) from the lower face, the outermost beyond it.
-        [[nodiscard]] std::int32_t layer(double sizes, int axis) const
-        {
-            return std::clamp(static_cast<std::int32_t>(sizes), 0, count[axis] - 1);
-        }
-        [[nodiscard]] std::size_t index(const std::array<std::int32_t, 3>& c) const
-        {
-            return (static_cast<std::size_t>(c[2]) * count[1] + c[1]) * count[0] + c[0];
-        }
-        [[nodiscard]] std::size_t cells() const { return static_cast<std::size_t>(count[0]) * count[1] * count[2]; }
-    };
-    struct Corners {
-        std::array<Vector3d, 3> start, end;  ///< [m]
-    };
-
     /// A path, and what has been found on it so far.
     struct Query {
         Vector3d start, end;
@@ -104,44 +65,24 @@ private:
         std::size_t tests = 0;
     };
 
-    static double wall_distance(double q) { return std::min(q, 1 - q); }
+    /// Which facets have left the margins they are listed with.
+    struct Strays {
+        bool still = false, moving = false;
+    };
 
-    /// Distance to the grid's box, 0 inside; infinity while there is no grid.
-    [[nodiscard]] double distance_outside(const Vector3d& p) const
-    {
-        const double x = std::max({grid_.lower.x - p.x, p.x - grid_.upper.x, 0.0});
-        const double y = std::max({grid_.lower.y - p.y, p.y - grid_.upper.y, 0.0});
-        const double z = std::max({grid_.lower.z - p.z, p.z - grid_.upper.z, 0.0});
-        return x + y + z > 0 ? std::sqrt(x * x + y * y + z * z) : 0.0;
-    }
-
-    [[nodiscard]] bool within_reach() const;
-    void take_corners(const NodePath& nodes, std::span<const std::uint8_t> hidden);
-    void remember_corners();
-    void build();
-    [[nodiscard]] std::vector<double> motions() const;
-    double set_reach(const std::vector<double>& motions);
-    void place_grid();
-    void list_facets();
-    void measure_clearance();
+    void find_stirred(const NodePath& nodes);
+    Strays take_paths(const NodePath& nodes, std::span<const std::uint8_t> hidden);
+    void take_path(std::size_t facet, const NodePath& nodes, bool hidden);
     void search(const Box& box, Query& query) const;
     void test(std::uint32_t facet, Query& query) const;
-    template <class Visit>
-    void visit_cells(std::size_t facet, const Visit& visit) const;
 
     std::vector<std::array<std::uint32_t, 3>> facets_;
-    std::vector<Corners> corners_;       ///< of each facet in this step
-    std::vector<Box> boxes_;             ///< about each facet in this step [m]
-    std::vector<Vector3d> built_start_;  ///< corners, three a facet, at the start of the step in which the grid was made [m]
-    std::vector<Vector3d> built_end_;    ///< at its end [m]
-    std::vector<double> reach_;          ///< a facet's corners may go so far from built_start_ [m]
-    bool built_ = false;                 ///< the grid is that of built_start_ and built_end_
-
-    Grid grid_;
-    std::vector<std::uint32_t> first_;     ///< of each cell's facets in listed_, and one more
-    std::vector<std::uint32_t> listed_;    ///< facets cell by cell
-    std::vector<std::uint8_t> clearance_;  ///< cells to the nearest listing cell in the largest direction; 0: lists facets itself
-    std::uint64_t rebuilds_ = 0;
+    std::vector<FacetPath> paths_;       ///< of each facet in this step
+    std::vector<Box> boxes_;             ///< about each facet in this step, empty if it is hidden [m]
+    std::vector<std::uint8_t> resting_;  ///< of each facet, how it was taken: not at rest, at rest or at rest and hidden
+    std::vector<Vector3d> last_;         ///< where each node was at the end of the last step [m]
+    std::vector<std::uint8_t> stirred_;  ///< of each node, 1: it moves in this step, or is elsewhere than at the end of the last
+    FacetGrid grid_;
 };
 
 }  // namespace corpuscle
