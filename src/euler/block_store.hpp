@@ -91,23 +91,41 @@ private:
             });
         }
         for (std::size_t i = 0; i < count; ++i) {
-            for (std::size_t m = 0; m + 1 < M; ++m) {
-                if (share[m][i] > least_relaxed && share[M - 1][i] > least_relaxed) relax(share[m][i], share[M - 1][i], m, i, from, to);
-            }
+            if (M > 2 && share[M - 1][i] < 0) fit(share, i);
+            relax(share, i, from, to);
         }
         for (std::size_t m = 0; m < M; ++m) {
             if (tile_.materials[m] < grid_.now.share.size())
                 std::copy_n(share[m].data(), count, grid_.next.share[tile_.materials[m]].data() + to);
         }
     }
-    /// Brings material m and the last one in sight to one pressure in cell i of a row.
-    void relax(double& share, double& rest, std::size_t m, std::size_t i, std::size_t from, std::size_t to)
+    /// Where the others leave less than nothing to the last one they share the cell.
+    void fit(EulerRows<M>& share, std::size_t i)
     {
-        const PhasePart first = part_after(m, share, i, from, to), second = part_after(M - 1, rest, i, from, to);
-        if (!(first.mass > 0 && second.mass > 0)) return;
-        const double whole = share + rest;
-        share = relaxed_share(first, second);
-        rest = whole - share;
+        const double scale = 1 / (1 - share[M - 1][i]);
+        for (std::size_t m = 0; m + 1 < M; ++m) share[m][i] *= scale;
+        share[M - 1][i] = 0;
+    }
+    /// Brings the materials in cell i of a row to one pressure.
+    void relax(EulerRows<M>& share, std::size_t i, std::size_t from, std::size_t to)
+    {
+        std::array<PhasePart, M> parts;
+        std::array<std::size_t, M> number;
+        std::size_t count = 0;
+        for (std::size_t m = 0; m < M; ++m) {
+            if (!(share[m][i] > least_relaxed)) continue;
+            parts[count] = part_after(m, share[m][i], i, from, to);
+            if (parts[count].mass > 0) number[count++] = m;
+        }
+        if (count == 2) {
+            const double whole = parts[0].share + parts[1].share;
+            share[number[0]][i] = relaxed_share(parts[0], parts[1]);
+            share[number[1]][i] = whole - share[number[0]][i];
+        } else if (count > 2) {
+            std::array<double, M> found;
+            relax_shares({parts.data(), count}, {found.data(), count});
+            for (std::size_t n = 0; n < count; ++n) share[number[n]][i] = found[n];
+        }
     }
     [[nodiscard]] PhasePart part_after(std::size_t m, double share, std::size_t i, std::size_t from, std::size_t to) const
     {

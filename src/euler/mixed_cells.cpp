@@ -16,16 +16,14 @@ constexpr double most_taken = 0.95;
 /// Steepness of the smooth step at a face that lies across the interface's normal, and least one.
 constexpr double interface_steepness = 2.3, least_steepness = 0.05;
 
-/// Draws what leaves towards the cell's mean where a step would take out more than there is of the material, or of the others.
-void bound_leaving(std::array<double, 6>& found, double share, const std::array<double, 6>& out)
+/// How much of the difference to the cell's mean may leave through the faces so that a step does not take out more than there is of a
+/// material [1].
+double leave_to_take(const std::array<double, 6>& found, double share, const std::array<double, 6>& out)
 {
     double volume = 0, taken = 0;
     for (std::size_t f = 0; f < 6; ++f) volume += out[f], taken += out[f] * found[f];
-    const double mean = volume * share, most = most_taken * share, least = volume - most_taken * (1 - share);
-    double keep = 1;
-    if (taken > most && taken > mean) keep = std::max(0.0, (most - mean) / (taken - mean));
-    if (taken < least && taken < mean) keep = std::max(0.0, (mean - least) / (mean - taken));
-    for (double& face : found) face = share + keep * (face - share);
+    const double mean = volume * share, most = most_taken * share;
+    return taken > most && taken > mean ? std::max(0.0, (most - mean) / (taken - mean)) : 1.0;
 }
 
 }  // namespace
@@ -62,12 +60,21 @@ MixedCell MixedCellFinder::mixed_cell(std::size_t c, const std::array<std::ptrdi
 {
     const Shares out = leaving_volumes(c, at);
     MixedCell cell;
-    for (std::size_t m = 0; m + 1 < materials; ++m) {
-        cell.face_share[m] = leaving_shares(c, at, share[m], out);
-        bound_leaving(cell.face_share[m], share[m][c], out);
-    }
-    complete(cell);
+    const std::size_t drawn = materials > 2 ? materials : 1;  // of two gases the second takes what the first leaves
+    for (std::size_t m = 0; m < drawn; ++m) cell.face_share[m] = leaving_shares(c, at, share[m], out);
+    complete(cell, drawn);
+    bound(cell, c, out);
     return cell;
+}
+
+/// Draws what leaves towards the cell's mean where a step would take out more than there is of a material.
+void MixedCellFinder::bound(MixedCell& cell, std::size_t c, const Shares& out) const
+{
+    double keep = 1;
+    for (std::size_t m = 0; m < materials; ++m) keep = std::min(keep, leave_to_take(cell.face_share[m], share[m][c], out));
+    if (keep == 1) return;
+    for (std::size_t m = 0; m < materials; ++m)
+        for (double& face : cell.face_share[m]) face = share[m][c] + keep * (face - share[m][c]);
 }
 
 /// Shares of one material that leave through each face by the smooth step along each axis; the cell's own where it is no step.
@@ -97,15 +104,14 @@ MixedCellFinder::Shares MixedCellFinder::leaving_shares(std::size_t c, const std
     return found;
 }
 
-/// The last material takes what the others leave.
-void MixedCellFinder::complete(MixedCell& cell) const
+/// Makes the shares at each face add up to one: of two gases the second takes what the first leaves, of more each its part.
+void MixedCellFinder::complete(MixedCell& cell, std::size_t drawn) const
 {
     for (std::size_t f = 0; f < 6; ++f) {
         double sum = 0;
-        for (std::size_t m = 0; m + 1 < materials; ++m) sum += cell.face_share[m][f];
-        const double scale = sum > 1 ? 1 / sum : 1.0;
-        for (std::size_t m = 0; m + 1 < materials; ++m) cell.face_share[m][f] *= scale;
-        cell.face_share[materials - 1][f] = 1 - std::min(1.0, sum);
+        for (std::size_t m = 0; m < drawn; ++m) sum += cell.face_share[m][f];
+        if (drawn < materials) cell.face_share[materials - 1][f] = 1 - std::min(1.0, sum);
+        for (std::size_t m = 0; drawn == materials && m < drawn; ++m) cell.face_share[m][f] /= sum;
     }
 }
 

@@ -23,7 +23,8 @@ private:
     [[nodiscard]] std::size_t place_in(int d, const std::array<std::ptrdiff_t, 3>& at) const;
     [[nodiscard]] Shares leaving_volumes(std::size_t c, const std::array<std::ptrdiff_t, 3>& at) const;
     [[nodiscard]] Shares leaving_shares(std::size_t c, const std::array<std::ptrdiff_t, 3>& at, const double* of, const Shares& out) const;
-    void complete(MixedCell& cell) const;
+    void complete(MixedCell& cell, std::size_t drawn) const;
+    void bound(MixedCell& cell, std::size_t c, const Shares& out) const;
 };
 
 }  // namespace corpuscle

@@ -1,7 +1,11 @@
 #include "euler/relaxation.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
+
+#include "euler/grid.hpp"
 
 namespace corpuscle {
 
@@ -9,6 +13,8 @@ namespace {
 
 /// Pressures that differ by less than this share of both count as one.
 constexpr double same_pressure = 1e-9;
+/// The same between more than two gases, which are brought together two at a time.
+constexpr double like_pressure = 1e-6;
 /// How near to the root the boundary is moved, in the logarithm of the ratio of the two volumes.
 constexpr double near_enough = 1e-8;
 
@@ -47,18 +53,15 @@ double imbalance(double p, double q)
     return std::log(std::max(p, least) / std::max(q, least));
 }
 
-}  // namespace
-
-double relaxed_share(const PhasePart& first, const PhasePart& second)
+/// The first gas' share when both are in one pressure, from shares at which the logarithm of the ratio of their pressures is `found`.
+/// In the logarithms of volumes and pressures both isentropes are nearly straight: Newton's rule first, then secants, kept within the
+/// bounds that the signs set.
+double even_share(const Squeezed& a, const Squeezed& b, double share, double rest, double found)
 {
-    const Squeezed a(first), b(second);
-    const double whole = first.share + second.share;
+    const double whole = share + rest;
     const auto first_share = [&](double x) { return x > 0 ? whole / (1 + std::exp(-x)) : whole * std::exp(x) / (1 + std::exp(x)); };
-    // In the logarithms of volumes and pressures both isentropes are nearly straight: Newton's rule first, then secants, kept within the
-    // bounds that the signs set.
-    double x = std::log(first.share / second.share), found = imbalance(a.start(), b.start()), low = -60, high = 60;
-    double slope = -(a.stiffness() * second.share + b.stiffness() * first.share) / whole;
-    double share = first.share;
+    double x = std::log(share / rest), low = -60, high = 60;
+    double slope = -(a.stiffness() * rest + b.stiffness() * share) / whole;
     for (int iteration = 0; iteration < 60 && std::abs(found) > same_pressure; ++iteration) {
         (found > 0 ? low : high) = x;
         const double next = x - found / slope, inside = next > low && next < high ? next : 0.5 * (low + high);
@@ -70,6 +73,39 @@ double relaxed_share(const PhasePart& first, const PhasePart& second)
         if (done) break;
     }
     return share;
+}
+
+}  // namespace
+
+double relaxed_share(const PhasePart& first, const PhasePart& second)
+{
+    const Squeezed a(first), b(second);
+    return even_share(a, b, first.share, second.share, imbalance(a.start(), b.start()));
+}
+
+void relax_shares(std::span<const PhasePart> parts, std::span<double> shares)
+{
+    constexpr int most_sweeps = 30;
+    std::array<std::optional<Squeezed>, most_euler_materials> gases;
+    std::size_t most = 0;
+    for (std::size_t m = 0; m < parts.size(); ++m) {
+        gases[m].emplace(parts[m]);
+        shares[m] = parts[m].share;
+        if (shares[m] > shares[most]) most = m;
+    }
+    bool even = false;
+    for (int sweep = 0; sweep < most_sweeps && !even; ++sweep) {
+        even = true;
+        for (std::size_t m = 0; m < parts.size(); ++m) {
+            if (m == most) continue;
+            const double found = imbalance(gases[m]->pressure(shares[m]), gases[most]->pressure(shares[most]));
+            if (std::abs(found) < like_pressure) continue;
+            const double whole = shares[m] + shares[most];
+            shares[m] = even_share(*gases[m], *gases[most], shares[m], shares[most], found);
+            shares[most] = whole - shares[m];
+            even = false;
+        }
+    }
 }
 
 }  // namespace corpuscle
