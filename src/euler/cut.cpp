@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace corpuscle {
 
@@ -131,18 +132,13 @@ void find_room(EulerGrid& grid)
     EulerWalls& walls = grid.walls;
     std::vector<std::size_t> touched;
     for (const WallFace& face : walls.faces) {
-        const int d = face.near_lower.axis;
-        const double share = face.normal[d] * face.normal[d];
-        const auto widen = [&](std::size_t cell, double length) {
-            if (walls.is_solid(cell)) return;
-            const EulerAxis& axis = grid.axes[static_cast<std::size_t>(d)];
-            const std::size_t at = grid.place(cell)[static_cast<std::size_t>(d)];
-            walls.room_next[cell] += share * (length - 0.5 * axis.width(at)) / axis.width(at);
-            touched.push_back(cell);
-        };
         if (face.lower == no_cell || face.upper == no_cell) continue;
-        widen(face.lower, face.lower_length);
-        widen(face.upper, face.upper_length);
+        for (const std::size_t side : {0u, 1u}) {
+            const std::size_t cell = side == 0 ? face.lower : face.upper;
+            if (walls.is_solid(cell)) continue;
+            walls.room_next[cell] += lent_room(grid, face, side);
+            touched.push_back(cell);
+        }
     }
     std::sort(touched.begin(), touched.end());
     touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
@@ -161,10 +157,7 @@ double lent_beyond(const EulerGrid& grid, std::size_t d, std::size_t side, std::
     const std::int32_t wall = grid.walls.shut[d][number];
     if (wall < 0) return 0;
     const WallFace& face = grid.walls.faces[static_cast<std::size_t>(wall)];
-    const std::size_t other = side == 0 ? face.lower : face.upper;
-    if (other == no_cell) return 0;
-    const double width = grid.axes[d].width(grid.place(other)[d]), length = side == 0 ? face.lower_length : face.upper_length;
-    return face.normal[static_cast<int>(d)] * face.normal[static_cast<int>(d)] * (length / width - 0.5);
+    return (side == 0 ? face.lower : face.upper) == no_cell ? 0 : lent_room(grid, face, side);
 }
 Around around(const EulerGrid& grid, std::size_t cell)
 {
@@ -185,23 +178,10 @@ Around around(const EulerGrid& grid, std::size_t cell)
     return found;
 }
 
-/// All arrays of a state that count per volume.
-std::vector<std::vector<double>*> arrays_of(EulerState& state)
-{
-    std::vector<std::vector<double>*> arrays;
-    for (auto& a : state.mass) arrays.push_back(&a);
-    for (auto& a : state.motion) arrays.push_back(&a);
-    arrays.push_back(&state.energy);
-    for (auto& a : state.share) arrays.push_back(&a);
-    for (auto& a : state.unburnt)
-        if (!a.empty()) arrays.push_back(&a);
-    return arrays;
-}
-
 /// Cells that change sides.
 class SideChange {
 public:
-    SideChange(EulerGrid& grid, const std::vector<SweptCell>& swept) : grid_(grid), arrays_(arrays_of(grid.now))
+    SideChange(EulerGrid& grid, const std::vector<SweptCell>& swept) : grid_(grid), arrays_(numbers_per_volume(grid.now))
     {
         for (const SweptCell& s : swept) {
             const bool was_solid = grid.walls.is_solid(s.cell);
@@ -216,6 +196,7 @@ public:
         if (cells_.empty()) return;
         for (Cell& cell : cells_) {
             cell.after = around(grid_, cell.cell).open;
+            if (const std::optional<bool> now = within_solid(cell.cell)) cell.is_solid = *now;
             for (const std::vector<double>* array : arrays_) cell.held.push_back((*array)[cell.cell]);
             cell.room = grid_.walls.room[cell.cell];
             cell.given = cell.was_solid;
@@ -250,6 +231,23 @@ private:
         bool was_solid, is_solid;
         double room;
     };
+
+    /// Whether a cell lies in a solid, as a facet that shuts one of its faces tells; nothing if there is no solid's.
+    [[nodiscard]] std::optional<bool> within_solid(std::size_t cell) const
+    {
+        for (std::size_t d = 0; d < 3; ++d) {
+            for (const std::size_t side : {0u, 1u}) {
+                auto at = grid_.place(cell);
+                at[d] += side;
+                const std::int32_t number = grid_.walls.shut[d][grid_.face_number(static_cast<int>(d), at)];
+                if (number < 0) continue;
+                const WallFace& face = grid_.walls.faces[static_cast<std::size_t>(number)];
+                const WallCrossing& near = side == 1 ? face.near_lower : face.near_upper;
+                if (near.solid) return near.enters == (side == 0);
+            }
+        }
+        return std::nullopt;
+    }
 
     /// A cell that a solid moves into holds no gas any more; its numbers are those of gas at rest, which nobody sees.
     void change_solid(Cell& cell)
@@ -387,8 +385,8 @@ private:
     std::vector<Cell> cells_;
 };
 
-/// Marks the blocks that see a wall: they are computed with it, and never quiet.
-void mark_blocks(EulerGrid& grid)
+/// Marks the blocks that see a wall, or one that was there before the step: they are computed with it, and never quiet.
+void mark_blocks(EulerGrid& grid, const std::vector<WallFace>& gone)
 {
     for (EulerBlock& block : grid.blocks) block.walled = false;
     constexpr std::size_t sight = 3;
@@ -414,6 +412,7 @@ void mark_blocks(EulerGrid& grid)
             }
         }
     };
+    for (const WallFace& face : gone) mark(face.place);
     for (const WallFace& face : grid.walls.faces) mark(face.place);
     for (std::size_t c = 0; c < grid.walls.solid.size(); ++c) {
         if (grid.walls.solid[c] != 0) mark(grid.place(c));
@@ -440,6 +439,25 @@ void shut_solid_edges(EulerGrid& grid)
     }
 }
 
+/// Shuts the faces that the walls cross now; returns those that were shut before.
+std::vector<WallFace> shut_anew(EulerGrid& grid, const std::vector<WallCrossing>& crossings)
+{
+    std::vector<WallFace> gone = grid.walls.faces;
+    clear(grid.walls);
+    shut_faces(grid, crossings);
+    open_beside_rims(grid);
+    return gone;
+}
+
+/// Finds what the shut faces make of cells, open faces and blocks.
+void shape_cut(EulerGrid& grid, const std::vector<WallFace>& gone)
+{
+    find_room(grid);
+    shape_openings(grid);
+    shut_solid_edges(grid);
+    mark_blocks(grid, gone);
+}
+
 }  // namespace
 
 std::array<std::size_t, 3> place_of_face(const EulerGrid& grid, int d, std::size_t face)
@@ -448,25 +466,31 @@ std::array<std::size_t, 3> place_of_face(const EulerGrid& grid, int d, std::size
     return {face % nx, face / nx % ny, face / nx / ny};
 }
 
+double lent_room(const EulerGrid& grid, const WallFace& face, std::size_t side)
+{
+    const std::size_t d = face.near_lower.axis, cell = side == 0 ? face.lower : face.upper;
+    const double part = face.normal[static_cast<int>(d)], length = side == 0 ? face.lower_length : face.upper_length;
+    return part * part * (length / grid.axes[d].width(grid.place(cell)[d]) - 0.5);
+}
+
 void cut(EulerGrid& grid, const std::vector<WallCrossing>& crossings, const std::vector<SweptCell>& swept)
 {
     make_arrays(grid);
     SideChange change(grid, swept);
-    clear(grid.walls);
-    shut_faces(grid, crossings);
-    open_beside_rims(grid);
+    const std::vector<WallFace> gone = shut_anew(grid, crossings);
     change.carry_over();
-    find_room(grid);
-    shape_openings(grid);
-    shut_solid_edges(grid);
-    mark_blocks(grid);
+    std::vector<std::size_t> changed;
+    for (const SweptCell& cell : swept) changed.push_back(cell.cell);
+    return_room(grid, gone, changed);
+    shape_cut(grid, gone);
 }
 
 void cut_first(EulerGrid& grid, const std::vector<WallCrossing>& crossings)
 {
     if (crossings.empty() && !grid.walls.any()) return;
     if (grid.walls.solid.empty()) find_solid_cells(grid, crossings);
-    cut(grid, crossings, {});
+    make_arrays(grid);
+    shape_cut(grid, shut_anew(grid, crossings));
     std::copy(grid.walls.room_next.begin(), grid.walls.room_next.end(), grid.walls.room.begin());
 }
 
@@ -474,6 +498,7 @@ void end_cut(EulerGrid& grid)
 {
     grid.walls.room = grid.walls.room_next;
     if (!grid.walls.solid.empty()) keep_solid_cells(grid);
+    mix_small_cells(grid);
 }
 
 }  // namespace corpuscle

@@ -24,6 +24,21 @@ void find_solid_cells(EulerGrid& grid, const std::vector<WallCrossing>& crossing
 /// Cells within solids are as they were before the flow: what is computed there is no gas.
 void keep_solid_cells(EulerGrid& grid);
 
+/// Room that a shut face gives its lower (side 0) or upper cell beyond half a cell, or takes from it, over the cell's volume without walls.
+[[nodiscard]] double lent_room(const EulerGrid& grid, const WallFace& face, std::size_t side);
+
+/// Where a wall has ended or begun between two cells without passing the middle of either (it eroded, or its rim went by), what it had
+/// shifted, or shifts, of the cells' common boundary goes over to the other cell with the gas in it. `gone` are the faces shut before,
+/// `swept` the cells that changed sides, in order.
+void return_room(EulerGrid& grid, const std::vector<WallFace>& gone, const std::vector<std::size_t>& swept);
+
+/// Brings cells that walls leave little room to one state with the widest cell that they are open to: a step of the others would be too
+/// long for them.
+void mix_small_cells(EulerGrid& grid);
+
+/// All arrays of a state: each counts per volume.
+[[nodiscard]] std::vector<std::vector<double>*> numbers_per_volume(EulerState& state);
+
 /// Place of the cell above a face across an axis, from the face's number.
 [[nodiscard]] std::array<std::size_t, 3> place_of_face(const EulerGrid& grid, int axis, std::size_t face);
 

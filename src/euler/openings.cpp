@@ -127,15 +127,26 @@ private:
         const double breadth = axis(3 - d - t).width(cell[static_cast<std::size_t>(3 - d - t)]), sign = side == 0 ? -1 : 1;
         const double own = breadth * blended(face, d, face.shift);
         double there = own;
-        if (grid_.edges[2 * static_cast<std::size_t>(d) + side] == EulerEdge::open) {
-            const double half = 0.5 * axis(t).width(cell[static_cast<std::size_t>(t)]);
-            const double rise = -0.5 * sign * axis(d).width(cell[static_cast<std::size_t>(d)]) * face.normal[d] / face.normal[t];
-            there = breadth * blended(face, d, std::clamp(face.shift + rise, -half, half));
-        }
+        if (grid_.edges[2 * static_cast<std::size_t>(d) + side] == EulerEdge::open)
+            there = breadth * blended(face, d, going_on(face, cell, d, sign).shift);
         face.area[d] += sign * (own - there);
         const Spot edge = moved(cell, d, side);
         widen(d, edge, there);
         widen(d, moved(edge, t, 1), -there);
+    }
+
+    /// A wall that goes straight on towards the cell's lower (sign -1) or upper end along d: how far from the shut face it comes there, or
+    /// to the cells' own middles at most [m], and on what part of the way that is.
+    struct GoingOn {
+        double shift = 0, part = 1;
+    };
+    [[nodiscard]] GoingOn going_on(const WallFace& face, const Spot& cell, int d, double sign) const
+    {
+        const int t = face.near_lower.axis;
+        const double half = 0.5 * axis(t).width(cell[static_cast<std::size_t>(t)]);
+        const double rise = -0.5 * sign * axis(d).width(cell[static_cast<std::size_t>(d)]) * face.normal[d] / face.normal[t];
+        const double end = std::clamp(face.shift + rise, -half, half);
+        return {end, end == face.shift + rise ? 1 : std::clamp((end - face.shift) / rise, 0.0, 1.0)};
     }
 
     void shape(const Square& square)
@@ -145,6 +156,8 @@ private:
         if (rises == 2 && runs == 0) return pass_through(square, square.d, square.t, square.rise);
         if (rises == 0 && runs == 2) return pass_through(square, square.t, square.d, square.run);
         if (rises == 1 && runs == 1) return turn_corner(square);
+        if (rises == 1 && runs == 0) return end_within(square, square.d, square.t, square.rise);
+        if (rises == 0 && runs == 1) return end_within(square, square.t, square.d, square.run);
         for (const std::size_t side : {0u, 1u}) {
             if (square.rise[side] >= 0) end_at(square, square.d, square.rise[side], side);
             if (square.run[side] >= 0) end_at(square, square.t, square.run[side], side);
@@ -162,7 +175,34 @@ private:
         for (const std::int32_t n : sides) wall(n).area[d] += 0.5 * (first - second);
     }
 
-    /// The wall ends in the square, or more than one is in it: each line's areas are closed by its own wall.
+    /// The wall crosses one side and ends: up to the square's middle it goes straight on and the faces across d are open up to it. What
+    /// that leaves of the two cells beyond, which no wall parts, they exchange across d; and if it comes to the cells' middles before, its
+    /// own two cells exchange across t what it leaves. So no step stands up at a rim.
+    void end_within(const Square& square, int d, int t, const std::array<std::int32_t, 2>& sides)
+    {
+        const std::size_t side = sides[0] >= 0 ? 0 : 1;
+        WallFace& face = wall(sides[side]);
+        const Spot own = moved(square.base, d, side), lower = moved(square.base, d, 1 - side), middle = moved(square.base, d, 1);
+        const double sign = side == 0 ? 1 : -1;
+        const GoingOn on = going_on(face, own, d, sign);
+        const double there = square.breadth * blended(face, d, on.shift);
+        const double left = 0.5 * square.breadth * blended(face, d, axis(d).width(own[static_cast<std::size_t>(d)])) * (1 - on.part);
+        face.area[d] += sign * (square.breadth * blended(face, d, face.shift) - there);
+        face.area[t] -= left;
+        widen(d, middle, there);
+        widen(d, moved(middle, t, 1), -there);
+        exchange(lower, moved(lower, t, 1), d, sign * there);
+        exchange(own, moved(own, t, 1), t, left);
+    }
+    void exchange(const Spot& from, const Spot& to, int axis, double size)
+    {
+        if (size == 0) return;
+        Vector3d area;
+        area[axis] = size;
+        walls_.corners.push_back({grid_.cell(from[0], from[1], from[2]), grid_.cell(to[0], to[1], to[2]), area});
+    }
+
+    /// More than one wall is in the square: each line's areas are closed by its own wall.
     void end_at(const Square& square, int d, std::int32_t number, std::size_t side)
     {
         WallFace& face = wall(number);

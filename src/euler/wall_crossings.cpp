@@ -62,11 +62,11 @@ struct Projected {
         const double area = ax * by - ay * bx;
         return turned ? -area : area;
     }
-    [[nodiscard]] double edge_length(std::size_t edge) const
+    /// From an edge to the corner across from it, in the facet's plane [m].
+    [[nodiscard]] double height(std::size_t edge) const
     {
-        const Vector3d& a = corner[(edge + 1) % 3];
-        const Vector3d& b = corner[(edge + 2) % 3];
-        return std::hypot(b[across] - a[across], b[beside] - a[beside]);
+        const Vector3d along = corner[(edge + 2) % 3] - corner[(edge + 1) % 3];
+        return norm(cross(along, corner[edge] - corner[(edge + 1) % 3])) / norm(along);
     }
 };
 
@@ -110,21 +110,29 @@ private:
         const double x = wall_middle(across, seen.across, line[0]), y = wall_middle(beside, seen.beside, line[1]);
         std::array<double, 3> part;
         for (std::size_t e = 0; e < 3; ++e) part[e] = seen.side(e, x, y);
-        const double sign = part[0] + part[1] + part[2] < 0 ? -1 : 1;
+        const double whole = part[0] + part[1] + part[2];
+        if (whole == 0) return;
+        const double width = axis(across.inert() ? seen.beside : seen.across).width(line[across.inert() ? 1 : 0]);
         bool beyond_rim = false;
+        double place = 0;
         for (std::size_t e = 0; e < 3; ++e) {
-            part[e] *= sign;
-            const double over = (free >> e & 1) != 0 ? reach_over * across.width(line[0]) * seen.edge_length(e) : 0;
+            part[e] /= whole;
+            const double over = (free >> e & 1) != 0 ? reach_over * width / seen.height(e) : 0;
             if (part[e] < -over) return;
             beyond_rim |= part[e] < 0;
-            part[e] = std::max(part[e], 0.0);
+            place += part[e] * seen.corner[e][seen.axis];
         }
-        const double whole = part[0] + part[1] + part[2];
-        if (!(whole > 0)) return;
-        for (double& p : part) p /= whole;
-        double place = 0;
-        for (std::size_t c = 0; c < 3; ++c) place += part[c] * seen.corner[c][seen.axis];
+        if (beyond_rim) part = within(part);
         note(number, seen, normal, line, part, place, beyond_rim);
+    }
+
+    /// Weights of the facet's nodes for a place beyond its rim: none below 0.
+    static std::array<double, 3> within(std::array<double, 3> part)
+    {
+        double whole = 0;
+        for (double& p : part) whole += p = std::max(p, 0.0);
+        for (double& p : part) p /= whole;
+        return part;
     }
 
     void note(std::uint32_t number, const Projected& seen, const Vector3d& normal, const std::array<std::size_t, 2>& line,

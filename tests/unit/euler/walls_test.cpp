@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <tuple>
 
 #include "../mesh/facet_tree_surfaces.hpp"
 #include "euler/cut.hpp"
@@ -76,10 +77,10 @@ TEST(Walls, CrossingsLieWhereLinesMeetTheFacet)
 
 TEST(Walls, ARimReachesOverSlitsBelowATwentiethOfACell)
 {
-    const EulerGrid grid = still_air(10, 10, 10);
-    const double line = grid.axes[1].middle(4);
-    for (const auto& [gap, shut] :
-         {std::pair{0.004, 100u}, std::pair{0.02, 90u}}) {  // two halves of a sheet with a slit along a row of lines
+    for (const auto& [gap, rows, shut] : {std::tuple{0.004, 10u, 100u}, std::tuple{0.02, 10u, 90u}, std::tuple{0.004, 1u, 10u},
+                                          std::tuple{0.02, 1u, 9u}}) {  // two halves of a sheet with a slit along a row of lines
+        const EulerGrid grid = still_air(10, 10, rows);
+        const double line = grid.axes[1].middle(4);
         MovingSurface halves;
         halves.start = {{0.37, line - gap, -20}, {0.37, line - gap, 20}, {0.37, -30, 0},
                         {0.37, line + gap, -20}, {0.37, line + gap, 20}, {0.37, 30, 0}};
