@@ -249,9 +249,9 @@ private:
         for_rows(1, [&](std::ptrdiff_t j, std::ptrdiff_t k) {
             for (std::ptrdiff_t i = -margin(0, 1); i < nx + margin(0, 1); ++i) {
                 const std::size_t c = tile_.at(i, j, k);
-                if (!finder.is_mixed(c) || walls_.beside_wall(c)) continue;
+                if (!finder.is_mixed(c)) continue;
                 tile_.mixed[c] = static_cast<std::int32_t>(tile_.mixed_cells.size());
-                tile_.mixed_cells.push_back(finder.mixed_cell(c, {i, j, k}));
+                tile_.mixed_cells.push_back(walls_.beside_wall(c) ? finder.even_cell(c) : finder.mixed_cell(c, {i, j, k}));
             }
         });
     }

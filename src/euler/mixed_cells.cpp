@@ -67,6 +67,13 @@ MixedCell MixedCellFinder::mixed_cell(std::size_t c, const std::array<std::ptrdi
     return cell;
 }
 
+MixedCell MixedCellFinder::even_cell(std::size_t c) const
+{
+    MixedCell cell;
+    for (std::size_t m = 0; m < materials; ++m) cell.face_share[m].fill(share[m][c]);
+    return cell;
+}
+
 /// Draws what leaves towards the cell's mean where a step would take out more than there is of a material.
 void MixedCellFinder::bound(MixedCell& cell, std::size_t c, const Shares& out) const
 {

@@ -17,6 +17,8 @@ struct MixedCellFinder {
     [[nodiscard]] bool is_mixed(std::size_t c) const;
     /// What leaves cell c, which has the place `at` in the block.
     [[nodiscard]] MixedCell mixed_cell(std::size_t c, const std::array<std::ptrdiff_t, 3>& at) const;
+    /// The same of one whose gases leave it as they are in it, all through.
+    [[nodiscard]] MixedCell even_cell(std::size_t c) const;
 
 private:
     using Shares = std::array<double, 6>;

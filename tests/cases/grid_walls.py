@@ -67,5 +67,45 @@ def check_solid(folder):
     assert summary["parts"]["block"]["impulse_n_s"][2] < -10, summary["parts"]
 
 
+TWO_CHARGES = """title = "two charges over a plate between two supports"
+end_time = "0.45 ms"
+
+[[charge]]
+explosive = "tnt"
+shape = "sphere"
+mass = "0.2 kg"
+center = [0, 0, 0.2]
+
+[[charge]]
+explosive = "hmx"
+shape = "cylinder"
+mass = "0.1 kg"
+center = [0.3, 0, 0.2]
+
+[euler]
+box = [[-0.5, 0.8], [-0.5, 0.5], [-0.2, 0.6]]
+cell_size = "50 mm"
+fill = "air"
+
+[[part]]
+name = "plate"
+mesh = { rectangle = { origin = [-0.3, -0.3, 0], edge_1 = [0.9, 0, 0], edge_2 = [0, 0.6, 0], element_size = "30 mm" } }
+element = { shell = { thickness = "3 mm" } }
+material = "mild_steel"
+fix = [{ where = "start_1", dof = "all" }, { where = "end_1", dof = "all" }]
+"""
+
+
+def check_two_charges(folder):
+    """The products of two charges and air, all three in cells beside a wall."""
+    (folder / "two.toml").write_text(TWO_CHARGES)
+    execute(folder, "run", "two.toml", "--out", "two", "--quiet", check=0)
+    summary = json.loads((folder / "two/summary.json").read_text())
+    ledger = summary["ledger"]
+    assert summary["status"] == "done" and abs(ledger["mass_error"]) < 1e-12 and abs(ledger["energy_error"]) < 1e-3, ledger
+    given = [t for t in ledger["transfers"] if (t["from"], t["to"]) == ("gas", "structure")][0]
+    assert given["momentum_n_s"][2] < -50, given
+
+
 if __name__ == "__main__":
-    sys.exit(run_checks(GRID, [check_run, check_bits, check_solid]))
+    sys.exit(run_checks(GRID, [check_run, check_bits, check_solid, check_two_charges]))
