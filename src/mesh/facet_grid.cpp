@@ -10,7 +10,8 @@
 namespace corpuscle {
 namespace {
 
-constexpr double cell_limit = 1e6;           ///< cells of the grid
+constexpr double cell_limit = 1e6;           ///< cells of the grid ...
+constexpr double cells_a_facet = 16;         ///< ... or so many for each facet, if that is more
 constexpr int layer_limit = 4096;            ///< cells in one direction
 constexpr double steps_ahead = 40;           ///< lists should last so many steps of the present motion ...
 constexpr double farthest_ahead = 0.4;       ///< ... but may not widen facets by more than this share of a cell
@@ -129,10 +130,20 @@ double FacetGrid::motion(std::size_t facet) const
     return std::sqrt(farthest);
 }
 
-/// The margin of a facet that moves so far in a step: it should last many steps [m].
-double FacetGrid::reach_of(double motion) const
+/// The margin for a motion of so much in a step: it should last many steps [m].
+double FacetGrid::ahead(double motion) const
 {
     return least_margin * lattice_.size + std::max(1.25 * motion, std::min(steps_ahead * motion, farthest_ahead * lattice_.size));
+}
+
+/// The margin of a facet, wider where it moves to [m].
+Box FacetGrid::reach_of(std::size_t facet) const
+{
+    Box moved;
+    moved.include({});
+    for (std::size_t i = 3 * facet; i < 3 * facet + 3; ++i) moved.include(listed_end_[i] - listed_start_[i]);
+    return {{-ahead(-moved.lower.x), -ahead(-moved.lower.y), -ahead(-moved.lower.z)},
+            {ahead(moved.upper.x), ahead(moved.upper.y), ahead(moved.upper.z)}};
 }
 
 /// Notes where facets are: what lists are made from.
@@ -182,8 +193,8 @@ void FacetGrid::place()
     const double room = resting_.empty() ? 0 : room_to_move;
     const auto needed = [&] {
         Bounds rest = resting, move = moving;
-        rest.box.grow(reach_of(0) + spare_margin * lattice_.size);
-        move.box.grow(reach_of(fastest) + (room + spare_margin) * lattice_.size);
+        rest.box.grow(ahead(0) + spare_margin * lattice_.size);
+        move.box.grow(ahead(fastest) + (room + spare_margin) * lattice_.size);
         return resting_.empty() ? move.box : moving_.empty() ? rest.box : (rest += move).box;
     };
     const Vector3d extent = (Bounds{resting} += moving).box.size();
@@ -197,7 +208,8 @@ bool FacetGrid::lay_out(const Box& box)
 {
     std::array<double, 3> layers{};
     for (int axis = 0; axis < 3; ++axis) layers[axis] = std::ceil(box.size()[axis] / lattice_.size);
-    if (layers[0] * layers[1] * layers[2] > cell_limit || std::max({layers[0], layers[1], layers[2]}) > layer_limit) return false;
+    const double most = std::max(cell_limit, cells_a_facet * static_cast<double>(still_.size()));
+    if (layers[0] * layers[1] * layers[2] > most || std::max({layers[0], layers[1], layers[2]}) > layer_limit) return false;
     lattice_.lower = box.lower;
     lattice_.upper = box.upper;
     lattice_.inverse_size = 1 / lattice_.size;
@@ -209,22 +221,22 @@ bool FacetGrid::lay_out(const Box& box)
 void FacetGrid::set_reach(std::span<const std::uint32_t> facets)
 {
     reach_.resize(still_.size());
-    for_each(facets.size(), [&](std::size_t i) { reach_[facets[i]] = reach_of(motion(facets[i])); });
+    for_each(facets.size(), [&](std::size_t i) { reach_[facets[i]] = reach_of(facets[i]); });
 }
 
 /// Whether the grid's box holds the moving facets within their margins.
 bool FacetGrid::moving_fit() const
 {
-    return 0 == sum<std::size_t>(moving_.size(), [&](std::size_t i) {
-               const double margin = reach_[moving_[i]] + spare_margin * lattice_.size;
-               bool fits = true;
-               for (std::size_t k = 0; k < 3; ++k) {
-                   const Vector3d& p = listed_start_[3 * static_cast<std::size_t>(moving_[i]) + k];
-                   for (int axis = 0; axis < 3; ++axis)
-                       fits = fits && p[axis] - margin >= lattice_.lower[axis] && p[axis] + margin <= lattice_.upper[axis];
-               }
-               return std::size_t{fits ? 0u : 1u};
-           });
+    const Box box{lattice_.lower, lattice_.upper};
+    const auto fits = [&](std::size_t facet) {
+        Box reach = reach_[facet];
+        reach.grow(spare_margin * lattice_.size);
+        bool within = true;
+        for (std::size_t i = 3 * facet; i < 3 * facet + 3; ++i)
+            within = within && box.contains(listed_start_[i] + reach.lower) && box.contains(listed_start_[i] + reach.upper);
+        return within;
+    };
+    return 0 == sum<std::size_t>(moving_.size(), [&](std::size_t i) { return std::size_t{fits(moving_[i]) ? 0u : 1u}; });
 }
 
 /// Lists all facets.

@@ -34,10 +34,9 @@ public:
     [[nodiscard]] bool keeps(std::size_t facet, const FacetPath& path) const
     {
         const Vector3d* listed = &listed_start_[3 * facet];
-        const double square = reach_[facet] * reach_[facet];
         bool within = true;
         for (int i = 0; i < 3; ++i)
-            within = within && norm_squared(path.start[i] - listed[i]) <= square && norm_squared(path.end[i] - listed[i]) <= square;
+            within = within && reach_[facet].contains(path.start[i] - listed[i]) && reach_[facet].contains(path.end[i] - listed[i]);
         return within;
     }
     /// Whether a facet was at rest when the grid was placed.
@@ -88,7 +87,8 @@ private:
     }
 
     [[nodiscard]] double motion(std::size_t facet) const;
-    [[nodiscard]] double reach_of(double motion) const;
+    [[nodiscard]] double ahead(double motion) const;
+    [[nodiscard]] Box reach_of(std::size_t facet) const;
     void remember(std::span<const FacetPath> paths, std::span<const std::uint32_t> facets);
     void sort_by_rest();
     void place();
@@ -102,7 +102,7 @@ private:
     std::vector<Vector3d> listed_end_;             ///< at its end [m]
     std::vector<std::uint8_t> still_;              ///< 1: at rest when the grid was placed
     std::vector<double> placed_;                   ///< the lattice's lower corner, cell size and layers, as a restart has them
-    std::vector<double> reach_;                    ///< a facet's corners may go so far from listed_start_ [m]
+    std::vector<Box> reach_;                       ///< about 0: a facet's corners may go so far from listed_start_ [m]
     std::vector<std::uint32_t> resting_, moving_;  ///< facets by still_
     Lattice lattice_;
     FacetLists still_lists_, moving_lists_;

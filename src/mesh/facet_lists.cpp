@@ -9,15 +9,28 @@ namespace {
 
 constexpr double spare_reach = 0.01;  ///< for rounding, in single precision, of what relies on the lists, in cells
 
-/// A facet's plane widened by its reach and half a cell: which cells of a column across it are near.
+/// A box with what rounding may need.
+Box with_spare(Box reach, const Lattice& lattice)
+{
+    reach.grow(spare_reach * lattice.size);
+    return reach;
+}
+
+/// All places to which a facet's plane may go within its reach, widened by half a cell: which cells of a column across it are near.
 struct WidePlane {
-    WidePlane(const Lattice& lattice, const Vector3d* corners, double reach) : lattice_(lattice), corner_(corners[0])
+    WidePlane(const Lattice& lattice, const Vector3d* corners, const Box& reach) : lattice_(lattice), corner_(corners[0])
     {
         const Vector3d area = cross(corners[1] - corners[0], corners[2] - corners[0]);
         if (norm(area) > 0) normal_ = area / norm(area);
         const Vector3d steep{std::abs(normal_.x), std::abs(normal_.y), std::abs(normal_.z)};
         across = steep.x >= steep.y && steep.x >= steep.z ? 0 : steep.y >= steep.z ? 1 : 2;
-        thickness_ = reach + 0.5 * lattice.size * (steep[(across + 1) % 3] + steep[(across + 2) % 3]);
+        if (normal_[across] < 0) normal_ = -normal_;
+        above_ = 0.5 * lattice.size * (steep[(across + 1) % 3] + steep[(across + 2) % 3]);
+        below_ = -above_;
+        for (int axis = 0; axis < 3; ++axis) {
+            above_ += normal_[axis] * (normal_[axis] > 0 ? reach.upper[axis] : reach.lower[axis]);
+            below_ += normal_[axis] * (normal_[axis] > 0 ? reach.lower[axis] : reach.upper[axis]);
+        }
     }
 
     /// Cuts the column of cells at c (its layers other than that across the plane) down to those near the plane.
@@ -29,17 +42,17 @@ struct WidePlane {
         const double along_e = lattice_.lower[e] + (c[e] + 0.5) * lattice_.size - corner_[e];
         const double along_f = lattice_.lower[f] + (c[f] + 0.5) * lattice_.size - corner_[f];
         const double middle = corner_[across] - (normal_[e] * along_e + normal_[f] * along_f) / slope - lattice_.lower[across];
-        const double thickness = thickness_ / std::abs(slope);
-        bottom = std::max(bottom, lattice_.layer(std::clamp((middle - thickness) * lattice_.inverse_size, -1.0, 1e9), across));
-        top = std::min(top, lattice_.layer(std::clamp((middle + thickness) * lattice_.inverse_size, -1.0, 1e9), across));
+        bottom = std::max(bottom, lattice_.layer(std::clamp((middle + below_ / slope) * lattice_.inverse_size, -1.0, 1e9), across));
+        top = std::min(top, lattice_.layer(std::clamp((middle + above_ / slope) * lattice_.inverse_size, -1.0, 1e9), across));
     }
 
     int across = 0;  ///< axis that goes most steeply through the plane
 
 private:
     const Lattice& lattice_;
-    Vector3d corner_, normal_;
-    double thickness_ = 0;
+    Vector3d corner_;
+    Vector3d normal_;               ///< unit, towards larger coordinates along `across`
+    double below_ = 0, above_ = 0;  ///< how far the widened plane goes from the corner, along the normal [m]
 };
 
 /// visit(c) for each cell of a block that lies near a facet: column by column across the facet's plane.
@@ -80,7 +93,9 @@ void FacetLists::enclose(const Lattice& lattice, const FacetPlaces& places, std:
     for_each(facets.size(), [&](std::size_t i) {
         Box box;
         for (int k = 0; k < 3; ++k) box.include(places.corners[3 * static_cast<std::size_t>(facets[i]) + k]);
-        box.grow(places.reach[facets[i]] + spare_reach * lattice.size);
+        const Box reach = with_spare(places.reach[facets[i]], lattice);
+        box.lower += reach.lower;
+        box.upper += reach.upper;
         near_[i] = lattice.block(box);
     });
     block_ = sum_chunks<CellBlock>(facets.size(), [&](std::size_t begin, std::size_t end) {
@@ -123,7 +138,7 @@ void FacetLists::visit_slabs(const Lattice& lattice, const FacetPlaces& places, 
             const CellBlock own = near_[i].meet(slabs_[s]);
             if (own.cells() == 0) continue;
             const WidePlane plane(lattice, &places.corners[3 * static_cast<std::size_t>(facets[i])],
-                                  places.reach[facets[i]] + spare_reach * lattice.size);
+                                  with_spare(places.reach[facets[i]], lattice));
             visit_cells(own, plane, [&](const std::array<std::int32_t, 3>& c) { visit(block_.index(c), facets[i]); });
         }
     });

@@ -8,10 +8,10 @@
 
 namespace corpuscle {
 
-/// Facets where they were when they were listed, three corners each, and how far each may go from there.
+/// Facets where they were when they were listed, three corners each, and the box in which each facet's corners may go from there.
 struct FacetPlaces {
     std::span<const Vector3d> corners;  ///< [m]
-    std::span<const double> reach;      ///< [m]
+    std::span<const Box> reach;         ///< about 0 [m]
 };
 
 /// Lists, for each cell of a block of a lattice, the facets that may come near it.

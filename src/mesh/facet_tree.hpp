@@ -61,7 +61,7 @@ private:
         double from = 0, to = 0;
         std::int64_t except = -1;
         Hit best;
-        std::array<std::uint32_t, 8> tested{};  ///< the last facets tested
+        std::array<std::uint32_t, 32> tested{};  ///< the last facets tested
         std::size_t tests = 0;
     };
 

@@ -126,7 +126,7 @@ struct Cloud {
     {
         const MovingSurface thrown = random_surface(facets, 0, 3);
         corners = thrown.start;
-        reach.assign(facets, 0.01);
+        reach.assign(facets, {{-0.01, -0.002, -0.03}, {0.02, 0.005, 0.01}});
         for (std::uint32_t f = 0; f < facets; f += 2) numbers.push_back(f);
         lattice.lower = {-2.1, -2.1, -2.1};
         lattice.upper = {2.1, 2.1, 2.1};
@@ -135,7 +135,7 @@ struct Cloud {
         lattice.count = {42, 42, 42};
     }
     std::vector<Vector3d> corners;
-    std::vector<double> reach;
+    std::vector<Box> reach;
     std::vector<std::uint32_t> numbers;
     Lattice lattice;
 };
@@ -166,8 +166,12 @@ TEST(FacetLists, name_a_facet_in_every_cell_that_it_meets)
         for (int i = 0; i < 20; ++i) {
             const double u = random.uniform_double(), v = (1 - u) * random.uniform_double();
             const Vector3d* p = &cloud.corners[3 * static_cast<std::size_t>(facet)];
-            const Vector3d way = uniform_vector(random);
-            const Vector3d at = (1 - u - v) * p[0] + u * p[1] + v * p[2] + 0.0099 * way / norm(way);
+            std::array<Vector3d, 3> moved;
+            for (int k = 0; k < 3; ++k) {
+                const Vector3d share = 0.5 * (uniform_vector(random) + Vector3d{1, 1, 1});
+                moved[k] = p[k] + cloud.reach[facet].lower + scaled(share, cloud.reach[facet].size());
+            }
+            const Vector3d at = (1 - u - v) * moved[0] + u * moved[1] + v * moved[2];
             Box point;
             point.include(at);
             bool named = false;

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include "../../unit/contact/gas_structure_bodies.hpp"
@@ -18,8 +20,9 @@ namespace corpuscle {
 /// is in is known exactly, whatever the search finds.
 class Honeycomb {
 public:
-    /// `rooms` a side must divide `cells` a side; `fold` is the tangent of the folds' slope.
-    Honeycomb(int cells, int rooms, double fold, std::size_t particles) : cells_(cells), rooms_(rooms), fold_(fold)
+    /// `rooms` a side must divide `cells` a side; `fold` is the tangent of the folds' slope, `speed` the deviation of each component of the
+    /// particles' velocities [m/s].
+    Honeycomb(int cells, int rooms, double fold, std::size_t particles, double speed) : cells_(cells), rooms_(rooms), fold_(fold)
     {
         for (int c = 0; c <= cells; ++c)
             for (int b = 0; b <= cells; ++b)
@@ -33,7 +36,7 @@ public:
         joined_.resize(static_cast<std::size_t>(rooms) * rooms * rooms);
         std::iota(joined_.begin(), joined_.end(), 0u);
         gas = empty_gas({{-4, -4, -4}, {4, 4, 4}}, 1e-3);
-        fill(particles);
+        fill(particles, speed);
     }
 
     [[nodiscard]] std::size_t facets() const { return surface_.facets.size(); }
@@ -169,20 +172,26 @@ private:
         for_each(lattice_.size(), [&](std::size_t n) { structure.nodes.position[n] = map.place(lattice_[n]); });
     }
 
-    /// Particles all over the rooms, at rest with them on the whole.
-    void fill(std::size_t particles)
+    /// Particles all over the rooms, those of a room together.
+    void fill(std::size_t particles, double speed)
     {
         const Map map(0);
         Random random(12, Purpose::contact, 0, 0);
-        while (gas.particles.size() < particles) {
+        std::vector<std::pair<std::int32_t, std::size_t>> order;  // room, number of the particle
+        std::vector<Particle> placed;
+        while (placed.size() < particles) {
             const Vector3d even{random.uniform_double(), random.uniform_double(), random.uniform_double()};
             const Vector3f at(map.place(folded(even)));
-            const Vector3f speed{static_cast<float>(800 * random.normal()), static_cast<float>(800 * random.normal()),
-                                 static_cast<float>(800 * random.normal())};
+            const double x = random.normal(), y = random.normal(), z = random.normal();
             const std::int32_t room = room_of(map.back(Vector3d(at)));
             if (room < 0) continue;
-            gas.particles.push_back(particle_at(at, speed));
+            order.emplace_back(room, placed.size());
+            placed.push_back(particle_at(at, Vector3f(speed * Vector3d{x, y, z})));
+        }
+        std::sort(order.begin(), order.end());
+        for (const auto& [room, particle] : order) {
             home_.push_back(static_cast<std::uint32_t>(room));
+            gas.particles.push_back(placed[particle]);
         }
     }
 
