@@ -280,7 +280,8 @@ void fill(EulerGrid& grid, const std::vector<EulerFill>& fills, std::size_t samp
     Shares shares(grid, fills, samples);
     for (std::size_t f = 0; f < fills.size(); ++f) {
         const auto same = [&](const EulerFill& other) { return other.state.material == fills[f].state.material; };
-        if (std::count_if(fills.begin(), fills.end(), same) != 1 || !shares.uncut(f)) continue;
+        const bool alone = fills[f].state.unburnt || std::count_if(fills.begin(), fills.end(), same) == 1;
+        if (!alone || !shares.uncut(f)) continue;
         shares.correct(f, fills[f].shape.volume_within(whole_box(grid)));
     }
     for_each(grid.cells(), [&](std::size_t c) {

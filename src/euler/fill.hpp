@@ -30,7 +30,8 @@ struct EulerFill {
 };
 
 /// Lays the cells out from shapes, later ones over earlier ones: a cell at a boundary has as much of each as its points say. The mass of a
-/// material that fills only one shape, which is nowhere cut, is then made exact by moving boundaries within the cells they cross. In
+/// charge, and of a material that fills only one shape, is then made exact, unless something cuts it, by moving boundaries within the cells
+/// they cross. In
 /// spherical and axisymmetric grids a point (x, y) is taken for (x, 0, 0), (x, 0, y). Refuses a point that is in no shape by InputError.
 void fill(EulerGrid& grid, const std::vector<EulerFill>& fills, std::size_t samples = 8);
 

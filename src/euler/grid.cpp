@@ -70,12 +70,33 @@ void check_grid(const EulerGrid& grid)
     if (grid.settings.block_cells > most_block_cells) throw InputError("blocks of the Euler grid are too large", "give 32 cells at most");
 }
 
+/// Square of the distance from a point to the charge that is lit; inert axes do not count [m2].
+double way_to_charge(const EulerGrid& grid, const EulerLighting& lit, const Vector3d& at)
+{
+    double sum = 0;
+    for (int d = 0; d < 3; ++d) {
+        if (grid.axes[d].inert() || lit.charge.lower[d] > lit.charge.upper[d]) continue;
+        const double way = std::max({lit.charge.lower[d] - at[d], at[d] - lit.charge.upper[d], 0.0});
+        sum += way * way;
+    }
+    return sum;
+}
+
 }  // namespace
+
+bool lights(const EulerGrid& grid, const EulerExplosive& explosive, const EulerLighting& lit, std::size_t cell)
+{
+    const Vector3d at = grid.middle(cell);
+    const double own = way_to_charge(grid, lit, at);
+    return std::all_of(explosive.lightings.begin(), explosive.lightings.end(),
+                       [&](const EulerLighting& other) { return own <= way_to_charge(grid, other, at); });
+}
 
 double burn_time(const EulerGrid& grid, const EulerExplosive& explosive, std::size_t cell)
 {
     double earliest = std::numeric_limits<double>::infinity();
     for (const EulerLighting& lit : explosive.lightings) {
+        if (!lights(grid, explosive, lit, cell)) continue;
         Vector3d way = grid.middle(cell) - lit.point;
         for (int d = 0; d < 3; ++d) way[d] = grid.axes[d].inert() ? 0 : way[d];
         earliest = std::min(earliest, lit.time + norm(way) / explosive.detonation_velocity);

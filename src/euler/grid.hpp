@@ -11,6 +11,7 @@
 #include "fields/field.hpp"
 #include "laws/eos/equation_of_state.hpp"
 #include "laws/eos/mie_grueneisen.hpp"
+#include "math/box.hpp"
 #include "math/vector3.hpp"
 
 namespace corpuscle {
@@ -27,10 +28,11 @@ enum class EulerEdge {
     open,   ///< the state goes on unchanged beyond: what comes leaves
 };
 
-/// Where and when an explosive is lit.
+/// Where and when a charge of an explosive is lit.
 struct EulerLighting {
     Vector3d point;   ///< [m]; (0, height, 0) in an axisymmetric grid, (0, 0, 0) in a spherical one
     double time = 0;  ///< [s]
+    Box charge{};     ///< around it: what is nearer to another charge of the explosive is not lit from here; empty: there is no other [m]
 };
 
 /// What of a material waits to burn: it is then the products' law with less energy, so that it rests under the pressure around it.
@@ -138,7 +140,11 @@ struct EulerGrid {
     [[nodiscard]] double round() const;
 };
 
-/// When the detonation of an explosive reaches a cell, straight from the nearest point in time; inert axes do not count [s].
+/// Whether a lighting of an explosive is of the charge that a cell belongs to: the nearest one.
+[[nodiscard]] bool lights(const EulerGrid& grid, const EulerExplosive& explosive, const EulerLighting& lit, std::size_t cell);
+
+/// When the detonation of an explosive reaches a cell, straight from the nearest point in time where its charge is lit; inert axes do not
+/// count [s].
 [[nodiscard]] double burn_time(const EulerGrid& grid, const EulerExplosive& explosive, std::size_t cell);
 
 /// A grid without content. `faces` of an inert axis: two, whose distance is its depth. Errors: InputError.

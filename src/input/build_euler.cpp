@@ -166,8 +166,8 @@ bool same_law(const EquationOfState& first, const EquationOfState& second)
 std::size_t add_material(EulerPlan& plan, const std::string& name, const EquationOfState& law, double molar_mass)
 {
     if (plan.materials.size() == most_euler_materials)
-        throw InputError(fmt::format("there are more than {} gases, each charge one of its own", most_euler_materials),
-                         "give fewer charges, or fills of fewer gases");
+        throw InputError(fmt::format("there are more than {} gases, each explosive one of its own", most_euler_materials),
+                         "give fewer explosives, or fills of fewer gases");
     EulerMaterial material{name, law, {}, molar_mass};
     const auto taken = [&](const EulerMaterial& other) { return other.name == material.name; };
     for (int n = 2; std::any_of(plan.materials.begin(), plan.materials.end(), taken); ++n) material.name = fmt::format("{} {}", name, n);
@@ -221,16 +221,31 @@ double pressure_around(const EulerPlan& plan, const Shape& shape)
     throw InputError("no gas surrounds the charge", "expected fill = \"air\" in [euler]");
 }
 
-/// Where and when the charge is lit, in the grid's coordinates.
-std::vector<EulerLighting> lightings_of(const EulerPlan& plan, const ChargeInput& input, const Shape& shape)
+/// Adds where and when the charge is lit, in the grid's coordinates.
+void add_lightings(std::vector<EulerLighting>& lightings, const EulerPlan& plan, const ChargeInput& input, const Shape& shape)
 {
-    std::vector<EulerLighting> lightings;
+    const Box charge = grid_box(plan.space, shape.bounds());
     for (const DetonationInput& lit : input.detonation) {
         check_on_axis(plan.space, lit.point, "a charge is lit", input.places.of("detonation"));
-        lightings.push_back({grid_point(plan.space, lit.point), lit.time});
+        lightings.push_back({grid_point(plan.space, lit.point), lit.time, charge});
     }
-    if (lightings.empty()) lightings.push_back({grid_point(plan.space, input.center.value_or(shape.bounds().center())), 0});
-    return lightings;
+    if (input.detonation.empty()) lightings.push_back({grid_point(plan.space, input.center.value_or(shape.bounds().center())), 0, charge});
+}
+
+/// The explosive of a charge that rests under a pressure: one that other charges have already, or a new one.
+std::size_t explosive_index(EulerPlan& plan, const ExplosiveValues& values, const EquationOfState& law, double pressure)
+{
+    const double energy = values.energy_density / values.density;
+    for (const EulerFill& fill : plan.fills) {
+        const EulerMaterial& known = plan.materials[fill.state.material];
+        if (fill.state.unburnt && fill.state.pressure == pressure && same_law(known.law, law) && known.explosive.energy == energy &&
+            known.explosive.detonation_velocity == values.detonation_velocity)
+            return fill.state.material;
+    }
+    const std::size_t material = add_material(plan, values.name.empty() ? "products" : values.name, law, 0);
+    plan.materials[material].explosive.energy = energy;
+    plan.materials[material].explosive.detonation_velocity = values.detonation_velocity;
+    return material;
 }
 
 void add_charge(EulerPlan& plan, const ChargeInput& input, const CaseDescription& description)
@@ -243,11 +258,8 @@ void add_charge(EulerPlan& plan, const ChargeInput& input, const CaseDescription
         const EquationOfState law = make_law(values.law, values.density);
         check(law, values.name);
         const double around = pressure_around(plan, shape);
-        const std::size_t material = add_material(plan, values.name.empty() ? "products" : values.name, law, 0);
-        EulerExplosive& explosive = plan.materials[material].explosive;
-        explosive.energy = values.energy_density / values.density;
-        explosive.detonation_velocity = values.detonation_velocity;
-        explosive.lightings = lightings_of(plan, input, shape);
+        const std::size_t material = explosive_index(plan, values, law, around);
+        add_lightings(plan.materials[material].explosive.lightings, plan, input, shape);
         plan.fills.push_back({shape, {material, values.density, around, {}, 0, true}});
         plan.charge_shapes.push_back(shape);
         plan.charge_masses.push_back(values.density * shape.volume_within(plan.domain.box));

@@ -78,6 +78,14 @@ Vector3d grid_point(EulerSpace space, const Vector3d& point)
     return {norm(point), 0, 0};
 }
 
+Box grid_box(EulerSpace space, const Box& box)
+{
+    if (space == EulerSpace::planar) return box;
+    const double radius = std::max(std::abs(box.lower.x), std::abs(box.upper.x));
+    if (space == EulerSpace::axisymmetric) return {{0, box.lower.z, 0}, {radius, box.upper.z, 0}};
+    return {{0, 0, 0}, {radius, 0, 0}};
+}
+
 Vector3d grid_velocity(EulerSpace space, const FillInput& fill)
 {
     const Vector3d& velocity = fill.velocity;

@@ -21,6 +21,9 @@ void check_on_axis(EulerSpace space, const Vector3d& point, const std::string& w
 /// A point of space in the grid's coordinates: radius and height, or radius alone, in round grids.
 [[nodiscard]] Vector3d grid_point(EulerSpace space, const Vector3d& point);
 
+/// What a box of space spans in the grid's coordinates.
+[[nodiscard]] Box grid_box(EulerSpace space, const Box& box);
+
 /// A fill's velocity in the grid's coordinates; refuses one that the symmetry cannot have.
 [[nodiscard]] Vector3d grid_velocity(EulerSpace space, const FillInput& fill);
 

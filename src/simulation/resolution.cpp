@@ -70,15 +70,28 @@ double cell_width(const EulerGrid& grid, const Vector3d& point, double reach)
     return widest;
 }
 
-/// From where an explosive is lit to the furthest cell that holds it unburnt [m].
-double charge_radius(const EulerGrid& grid, std::size_t material)
+/// From where a charge is lit to the furthest cell that holds it unburnt [m].
+double charge_radius(const EulerGrid& grid, std::size_t material, const EulerLighting& lit)
 {
     const std::vector<double>& unburnt = grid.now.unburnt[material];
-    const Vector3d& lit = grid.materials[material].explosive.lightings.front().point;
     double radius = 0;
     for (std::size_t c = 0; c < unburnt.size(); ++c)
-        if (unburnt[c] > 0) radius = std::max(radius, norm(grid.middle(c) - lit));
+        if (unburnt[c] > 0 && lights(grid, grid.materials[material].explosive, lit, c))
+            radius = std::max(radius, norm(grid.middle(c) - lit.point));
     return radius;
+}
+
+/// One lighting of each charge of an explosive: its first.
+std::vector<EulerLighting> first_lightings(const EulerExplosive& explosive)
+{
+    std::vector<EulerLighting> first;
+    for (const EulerLighting& lit : explosive.lightings) {
+        const auto of_it = [&](const EulerLighting& other) {
+            return norm(other.charge.lower - lit.charge.lower) + norm(other.charge.upper - lit.charge.upper) == 0;
+        };
+        if (std::none_of(first.begin(), first.end(), of_it)) first.push_back(lit);
+    }
+    return first;
 }
 
 std::vector<Verdict> judge_grid(const Model& model)
@@ -86,12 +99,12 @@ std::vector<Verdict> judge_grid(const Model& model)
     const EulerGrid& grid = model.euler;
     double across = 0, way = 0;
     for (std::size_t m = 0; m < grid.materials.size(); ++m) {
-        const EulerExplosive& explosive = grid.materials[m].explosive;
-        if (!explosive.burns()) continue;
-        const Vector3d& lit = explosive.lightings.front().point;
-        const double radius = charge_radius(grid, m), distance = stand_off(model, in_space(grid.space, lit));
-        if (radius > 0) across = std::max(across, cell_width(grid, lit, radius) / (2 * radius));
-        if (std::isfinite(distance)) way = std::max(way, cell_width(grid, lit, distance) / distance);
+        if (!grid.materials[m].explosive.burns()) continue;
+        for (const EulerLighting& lit : first_lightings(grid.materials[m].explosive)) {
+            const double radius = charge_radius(grid, m, lit), distance = stand_off(model, in_space(grid.space, lit.point));
+            if (radius > 0) across = std::max(across, cell_width(grid, lit.point, radius) / (2 * radius));
+            if (std::isfinite(distance)) way = std::max(way, cell_width(grid, lit.point, distance) / distance);
+        }
     }
     std::vector<Verdict> verdicts;
     if (across > 0) verdicts.push_back({"charge", across, 0.125, "widest cell of the grid, over the charge's diameter"});
