@@ -19,6 +19,8 @@ struct ModelSize {
     std::size_t particles = 0;
     std::size_t elements = 0;
     std::size_t cells = 0;  ///< of a grid of gases
+    std::size_t gases = 0;  ///< in that grid
+    bool walls = false;     ///< parts stand in it
 };
 
 /// Bytes a run will need: particles with their sort and files, elements with their nodes, cells with the step to come, the program itself.

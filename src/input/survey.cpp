@@ -20,8 +20,14 @@ std::size_t check_room(const CaseDescription& description, const CaseSurvey& sur
     const Place& place = description.gas     ? description.gas->places.of("particles")
                          : description.euler ? description.euler->places.of(description.euler->cell_size ? "cell_size" : "cells")
                                              : description.places.own;
-    const ModelSize size{survey.gas ? survey.gas->particles() : 0, survey.structure.element_count(),
-                         survey.euler ? survey.euler->cells() : 0};
+    ModelSize size;
+    size.elements = survey.structure.element_count();
+    if (survey.gas) size.particles = survey.gas->particles();
+    if (survey.euler) {
+        size.cells = survey.euler->cells();
+        size.gases = survey.euler->materials.size();
+        size.walls = !description.parts.empty();
+    }
     return check_memory(size, place, machine_memory());
 }
 

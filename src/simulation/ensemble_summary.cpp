@@ -38,6 +38,7 @@ void add_work(RunSummary& sum, const RunSummary& member)
     sum.element_steps += member.element_steps;
     sum.grain_steps += member.grain_steps;
     sum.cell_steps += member.cell_steps;
+    sum.squeezed_cells += member.squeezed_cells;
     sum.peak_memory = std::max(sum.peak_memory, member.peak_memory);
     for (std::size_t i = 0; i < std::min(sum.seconds.size(), member.seconds.size()); ++i) sum.seconds[i].second += member.seconds[i].second;
 }

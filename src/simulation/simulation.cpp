@@ -265,6 +265,7 @@ RunSummary Simulation::summary() const
     summary.element_steps = work_.element_steps;
     summary.cells = model.euler.cells();
     summary.cell_steps = model.euler.worked;
+    summary.squeezed_cells = model.euler.walls.squeezed;
     summary.seconds = phases_.seconds();
     summary.mass_error = model.ledger.error().mass;
     summary.momentum_error = model.ledger.error().momentum;
@@ -335,6 +336,7 @@ RestartContent Simulation::state()
     values["particle_steps"] = work_.particle_steps;
     values["element_steps"] = work_.element_steps;
     values["cell_steps"] = model_->euler.worked;
+    values["squeezed_cells"] = model_->euler.walls.squeezed;
     values["wall_seconds"] = wall_before_ + wall_seconds_since(started_);
     values["cpu_seconds"] = cpu_before_ + cpu_seconds();
     content.sets = sets();
@@ -373,6 +375,7 @@ void Simulation::take_up()
     model_->grid_walls.begin();
     prepare(model_->euler);
     model_->euler.worked = file.count("cell_steps");
+    model_->euler.walls.squeezed = file.count("squeezed_cells");
     wall_before_ = file.number("wall_seconds");
     cpu_before_ = file.number("cpu_seconds");
     entered_ = model_->gas.passages;

@@ -43,7 +43,8 @@ Json work_of(const RunSummary& summary)
     return {{"particle_steps", summary.particle_steps},
             {"element_steps", summary.element_steps},
             {"grain_steps", summary.grain_steps},
-            {"cell_steps", summary.cell_steps}};
+            {"cell_steps", summary.cell_steps},
+            {"squeezed_cells", summary.squeezed_cells}};
 }
 
 Json ledger_of(const RunSummary& summary)
@@ -189,6 +190,7 @@ void read_counts(const Json& counts, const Json& work, RunSummary& summary)
     work.at("element_steps").get_to(summary.element_steps);
     work.at("grain_steps").get_to(summary.grain_steps);
     work.at("cell_steps").get_to(summary.cell_steps);
+    summary.squeezed_cells = work.value("squeezed_cells", std::uint64_t{0});
 }
 
 void read_ledger(const Json& ledger, RunSummary& summary)

@@ -92,6 +92,7 @@ struct RunSummary {
     std::uint64_t element_steps = 0;
     std::uint64_t grain_steps = 0;
     std::uint64_t cell_steps = 0;
+    std::uint64_t squeezed_cells = 0;  ///< of a grid, passed by a wall whose gas found no way to stay on its side: 0 in a sound run
     std::vector<std::pair<std::string, double>> seconds;  ///< wall time of each phase, in the order of the step [s]
 
     double mass_error = 0;            ///< relative

@@ -43,8 +43,8 @@ TEST(Summary, HasThePromisedKeys)
     EXPECT_EQ(summary.at("ranks"), 1);
     EXPECT_EQ(summary.at("seed"), 7);
     EXPECT_EQ(summary.at("counts"), json::parse(R"({"particles": {"tnt": 2400, "air": 17600}, "elements": 512, "grains": 0, "cells": 0})"));
-    EXPECT_EQ(summary.at("work"),
-              json::parse(R"({"particle_steps": 24680000, "element_steps": 631808, "grain_steps": 0, "cell_steps": 0})"));
+    EXPECT_EQ(summary.at("work"), json::parse(R"({"particle_steps": 24680000, "element_steps": 631808, "grain_steps": 0,
+                                                 "cell_steps": 0, "squeezed_cells": 0})"));
     EXPECT_EQ(summary.at("seconds").at("collide"), 5.5);
     EXPECT_EQ(summary.at("ledger").at("mass_error"), 0);
     EXPECT_EQ(summary.at("ledger").at("momentum_error"), 2.5e-7);
