@@ -11,6 +11,7 @@
 
 #include "base/error.hpp"
 #include "contact/gas_structure.hpp"
+#include "contact/grid_walls.hpp"
 #include "euler/fill.hpp"
 #include "euler/flow.hpp"
 #include "gas/collide.hpp"
@@ -67,7 +68,10 @@ public:
             measure_structure("bricks, one point: whole step", brick_plate(false));
             measure_structure("bricks, eight points: whole step", brick_plate(true));
         }
-        if (wanted("euler")) measure_euler();
+        if (wanted("euler")) {
+            measure_euler(false);
+            measure_euler(true);
+        }
         for (BenchLine& line : lines_) {
             line.ratio = line.nanoseconds / reference_;
             if (line.moved > 0) line.limit = line.nanoseconds / (line.moved * copy_per_byte_);
@@ -196,7 +200,38 @@ private:
     }
 
     /// Products and air in space: a ball of burnt TNT, in a corner of mirrors, that has grown to half of the box; every block is computed.
-    void measure_euler()
+    /// A surface askew across the unit cube, of facets twice as wide as its cells, that moves slowly.
+    static Structure sheet_in_grid()
+    {
+        constexpr std::uint32_t pieces = 32;
+        Structure structure;
+        std::vector<Vector3d> places;
+        for (std::uint32_t j = 0; j <= pieces; ++j) {
+            for (std::uint32_t i = 0; i <= pieces; ++i) {
+                const double x = double(i) / pieces, y = double(j) / pieces;
+                places.push_back({1.2 * x - 0.1, 1.2 * y - 0.1, 0.7 + 0.1 * x + 0.05 * y});
+            }
+        }
+        for (std::uint32_t j = 0; j < pieces; ++j) {
+            for (std::uint32_t i = 0; i < pieces; ++i) {
+                const std::uint32_t q = i + (pieces + 1) * j;
+                structure.surface.facets.push_back({{q, q + 1, q + pieces + 2}});
+                structure.surface.facets.push_back({{q, q + pieces + 2, q + pieces + 1}});
+            }
+        }
+        structure.nodes.add(places);
+        for (Vector3d& velocity : structure.nodes.velocity) velocity = {0, 0, 5};
+        structure.nodes.previous = structure.nodes.position;
+        return structure;
+    }
+    static void move(Nodes& nodes, double duration)
+    {
+        nodes.previous = nodes.position;
+        for (std::size_t n = 0; n < nodes.size(); ++n) nodes.position[n] += duration * nodes.velocity[n];
+    }
+
+    /// A charge that bursts in air, on 64^3 cells; with a surface in the flow or without.
+    void measure_euler(bool walled)
     {
         EulerSettings all;
         all.skip_quiet = false;
@@ -207,10 +242,15 @@ private:
         EulerGrid grid =
             make_grid(EulerSpace::planar, {faces, faces, faces}, edges, {{"products", products, {}}, {"air", IdealGas{1.4}, {}}}, all);
         fill(grid, {{Shape::box({{0, 0, 0}, {1, 1, 1}}), {1, 1.2, 101325}}, {Shape::sphere({0, 0, 0}, 0.5), {0, 1630, 0, {}, 7e9 / 1630}}});
+        Structure structure = walled ? sheet_in_grid() : Structure{};
+        GridWalls walls(grid, structure);
+        walls.begin();
         Clock clock;
         const auto advance = [&](int steps) {
             for (int s = 0; s < steps; ++s) {
-                clock.begin_step(stable_step(grid));
+                clock.begin_step(std::min(stable_step(grid), walls.stable_step()));
+                move(structure.nodes, clock.duration());
+                walls.apply(clock);
                 flow(grid, clock);
                 clock.end_step();
             }
@@ -218,8 +258,8 @@ private:
         advance(5);
         const int steps = 4;
         const double cells = static_cast<double>(grid.cells());
-        add("euler: whole step, products and air", median_seconds([&] { advance(steps); }), cells * steps, 2 * 7 * sizeof(double),
-            2 * 7 * sizeof(double));
+        add(walled ? "euler: the same, with a surface in it" : "euler: whole step, products and air",
+            median_seconds([&] { advance(steps); }), cells * steps, 2 * 7 * sizeof(double), 2 * 7 * sizeof(double));
     }
 
     const BenchSettings& settings_;
