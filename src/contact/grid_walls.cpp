@@ -25,16 +25,18 @@ void GridWalls::begin()
 {
     if (!any()) return;
     free_ = free_edges(structure_.surface);
-    free_hidden_ = static_cast<std::size_t>(std::count(structure_.surface.hidden.begin(), structure_.surface.hidden.end(), 1));
+    hidden_ = structure_.surface.hidden;
     cut_first(grid_, find_crossings(grid_, structure_.surface, free_, structure_.nodes.path().end));
 }
 
 /// Cuts the grid where the step has moved the surface.
 void GridWalls::follow()
 {
-    const auto hidden = static_cast<std::size_t>(std::count(structure_.surface.hidden.begin(), structure_.surface.hidden.end(), 1));
-    if (free_.size() != structure_.surface.facets.size() || hidden != free_hidden_) free_ = free_edges(structure_.surface);
-    free_hidden_ = hidden;
+    if (free_.size() != structure_.surface.facets.size() || hidden_ != structure_.surface.hidden) {
+        free_ = free_edges(structure_.surface);
+        hidden_ = structure_.surface.hidden;
+        grid_.walls.voids = !grid_.walls.solid.empty();  // where elements of solids have gone
+    }
     const std::vector<WallCrossing> crossings = find_crossings(grid_, structure_.surface, free_, structure_.nodes.path().end);
     cut(grid_, crossings, swept_cells(grid_, structure_.surface, structure_.nodes.path()));
 }

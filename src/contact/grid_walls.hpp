@@ -56,8 +56,8 @@ private:
 
     EulerGrid& grid_;
     Structure& structure_;
-    std::vector<std::uint8_t> free_;  ///< edges of the facets that only one has
-    std::size_t free_hidden_ = 0;     ///< facets that were hidden when these were found
+    std::vector<std::uint8_t> free_;    ///< edges of the facets that only one has
+    std::vector<std::uint8_t> hidden_;  ///< facets that were hidden when these were found
     std::vector<Push> pushes_;
     std::vector<Vector3d> facet_impulse_;  ///< [N s]
 };

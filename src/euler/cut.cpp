@@ -12,6 +12,8 @@ namespace {
 constexpr double least_room = 0.2;
 /// Least part of a neighbour that a cell begins with on its new side, if its neighbours have had no room in it.
 constexpr double least_lent = 0.05;
+/// The part of its neighbours that a cell of a hollow begins with.
+constexpr double drawn_in = 0.5;
 
 /// The faces of a cell: six, lower and upper along each axis. Whether each is open.
 using OpenFaces = std::array<bool, 6>;
@@ -193,7 +195,6 @@ public:
     /// other side have. Cells without such neighbours wait for others that change sides with them.
     void carry_over()
     {
-        if (cells_.empty()) return;
         for (Cell& cell : cells_) {
             cell.after = around(grid_, cell.cell).open;
             if (const std::optional<bool> now = within_solid(cell.cell)) cell.is_solid = *now;
@@ -216,8 +217,35 @@ public:
             }
         }
         for (Cell& cell : cells_) {
-            if (cell.given && !cell.taken) bare(cell);
+            if (cell.given && !cell.taken) cell.was_solid ? close(cell) : bare(cell);
         }
+    }
+
+    /// Where elements of solids have gone: of the cells that are no longer `within` solids those open to gas take from it, layer by layer
+    /// from step to step; the others wait as if they were solid.
+    void open_hollows(const std::vector<std::uint8_t>& within)
+    {
+        const std::vector<std::uint8_t>& solid = grid_.walls.solid;
+        std::vector<Cell> opened;
+        grid_.walls.voids = false;
+        for (std::size_t c = 0; c < solid.size(); ++c) {
+            if (solid[c] == 0 || (!within.empty() && within[c] != 0) || changing(c) != nullptr) continue;
+            const Around beside = around(grid_, c);
+            if (open_to_gas(beside))
+                opened.push_back({c, Vector3d{1, 1, 1} / std::sqrt(3.0), beside, {}, {}, false, false, true, false, 0, true});
+            else
+                grid_.walls.voids = true;
+        }
+        cells_.insert(cells_.end(), opened.begin(), opened.end());
+        std::sort(cells_.begin(), cells_.end(), [](const Cell& a, const Cell& b) { return a.cell < b.cell; });
+    }
+
+    /// The cells that change, in ascending order.
+    [[nodiscard]] std::vector<std::size_t> cells() const
+    {
+        std::vector<std::size_t> all;
+        for (const Cell& cell : cells_) all.push_back(cell.cell);
+        return all;
     }
 
 private:
@@ -230,10 +258,11 @@ private:
         bool given, taken;
         bool was_solid, is_solid;
         double room;
+        bool hollow = false;
     };
 
-    /// Whether a cell lies in a solid, as a facet that shuts one of its faces tells; nothing if there is no solid's.
-    [[nodiscard]] std::optional<bool> within_solid(std::size_t cell) const
+    /// Whether a cell lies in a solid, as a facet that shuts one of its faces tells, else a cell it is open to; nothing if neither can.
+    [[nodiscard]] std::optional<bool> within_solid(std::size_t cell)
     {
         for (std::size_t d = 0; d < 3; ++d) {
             for (const std::size_t side : {0u, 1u}) {
@@ -245,6 +274,10 @@ private:
                 const WallCrossing& near = side == 1 ? face.near_lower : face.near_upper;
                 if (near.solid) return near.enters == (side == 0);
             }
+        }
+        const Around beside = around(grid_, cell);
+        for (std::size_t f = 0; f < 6; ++f) {
+            if (beside.open[f] && changing(beside.cell[f]) == nullptr) return grid_.walls.is_solid(beside.cell[f]);
         }
         return std::nullopt;
     }
@@ -262,6 +295,21 @@ private:
         solid[cell.cell] = cell.is_solid ? 1 : 0;
         grid_.walls.room[cell.cell] = 1;
         cell.taken = cell.is_solid;
+    }
+
+    /// Nobody to take gas from: it goes on as a solid's cell, in a hollow.
+    void close(Cell& cell)
+    {
+        grid_.walls.solid[cell.cell] = 1;
+        grid_.walls.voids = true;
+        cell.taken = true;
+    }
+    [[nodiscard]] bool open_to_gas(const Around& beside)
+    {
+        for (std::size_t f = 0; f < 6; ++f) {
+            if (beside.open[f] && !grid_.walls.is_solid(beside.cell[f]) && changing(beside.cell[f]) == nullptr) return true;
+        }
+        return false;
     }
 
     [[nodiscard]] Cell* changing(std::size_t cell)
@@ -331,6 +379,7 @@ private:
             return other == nullptr || other->taken;
         };
         std::array<double, 6> part{};
+        const double least = cell.hollow ? drawn_in : least_lent;
         double whole = 0, lent = 0;
         for (std::size_t f = 0; f < 6; ++f) {
             if (!gives(f)) continue;
@@ -343,7 +392,7 @@ private:
         double room = 0;
         for (std::size_t f = 0; f < 6; ++f) {
             if (!gives(f)) continue;
-            if (lent < least_lent) part[f] = least_lent * weight(cell, f) / whole * grid_.walls.room[cell.before.cell[f]];
+            if (lent < least) part[f] = least * weight(cell, f) / whole * grid_.walls.room[cell.before.cell[f]];
             const std::size_t from = cell.before.cell[f];
             const double ratio = volume_ratio(from, cell.cell);
             for (std::size_t a = 0; a < arrays_.size(); ++a) sum[a] += (*arrays_[a])[from] * part[f] * ratio;
@@ -386,7 +435,7 @@ private:
 };
 
 /// Marks the blocks that see a wall, or one that was there before the step: they are computed with it, and never quiet.
-void mark_blocks(EulerGrid& grid, const std::vector<WallFace>& gone)
+void mark_blocks(EulerGrid& grid, const std::vector<WallFace>& gone, const std::vector<std::size_t>& changed)
 {
     for (EulerBlock& block : grid.blocks) block.walled = false;
     constexpr std::size_t sight = 3;
@@ -413,28 +462,29 @@ void mark_blocks(EulerGrid& grid, const std::vector<WallFace>& gone)
         }
     };
     for (const WallFace& face : gone) mark(face.place);
+    for (const std::size_t cell : changed) mark(grid.place(cell));
     for (const WallFace& face : grid.walls.faces) mark(face.place);
     for (std::size_t c = 0; c < grid.walls.solid.size(); ++c) {
         if (grid.walls.solid[c] != 0) mark(grid.place(c));
     }
 }
 
-/// At the grid's edges nothing presses out of solids.
-void shut_solid_edges(EulerGrid& grid)
+/// Nothing passes between gas and cells of hollows that wait for it, nor presses there; nor at the grid's edges out of solids.
+void shut_hollows(EulerGrid& grid)
 {
     EulerWalls& walls = grid.walls;
     for (std::size_t c = 0; c < walls.solid.size(); ++c) {
         if (walls.solid[c] == 0) continue;
+        const Around beside = around(grid, c);
         const auto at = grid.place(c);
-        for (std::size_t d = 0; d < 3; ++d) {
-            for (const std::size_t side : {0u, 1u}) {
-                if (at[d] + side != (side == 0 ? 0 : grid.axes[d].cells())) continue;
-                auto face = at;
-                face[d] += side;
-                const std::size_t number = grid.face_number(static_cast<int>(d), face);
-                walls.open[d][number] = 0;
-                walls.widened.push_back({d, number});
-            }
+        for (std::size_t f = 0; f < 6; ++f) {
+            const bool hollow = beside.open[f] && walls.solid[beside.cell[f]] == 0;
+            if (beside.cell[f] != no_cell && !hollow) continue;
+            auto face = at;
+            face[f / 2] += f % 2;
+            const std::size_t number = grid.face_number(static_cast<int>(f / 2), face);
+            walls.open[f / 2][number] = 0;
+            walls.widened.push_back({f / 2, number});
         }
     }
 }
@@ -450,12 +500,19 @@ std::vector<WallFace> shut_anew(EulerGrid& grid, const std::vector<WallCrossing>
 }
 
 /// Finds what the shut faces make of cells, open faces and blocks.
-void shape_cut(EulerGrid& grid, const std::vector<WallFace>& gone)
+void shape_cut(EulerGrid& grid, const std::vector<WallFace>& gone, const std::vector<std::size_t>& changed)
 {
     find_room(grid);
     shape_openings(grid);
-    shut_solid_edges(grid);
-    mark_blocks(grid, gone);
+    shut_hollows(grid);
+    mark_blocks(grid, gone, changed);
+}
+
+/// At the start all cells within solids are solid; after a restart cells of hollows are, too.
+void take_solid_cells(EulerWalls& walls, const std::vector<std::uint8_t>& within)
+{
+    if (walls.solid.empty()) walls.solid = within;
+    walls.voids = within.empty() ? std::find(walls.solid.begin(), walls.solid.end(), 1) != walls.solid.end() : within != walls.solid;
 }
 
 }  // namespace
@@ -478,19 +535,19 @@ void cut(EulerGrid& grid, const std::vector<WallCrossing>& crossings, const std:
     make_arrays(grid);
     SideChange change(grid, swept);
     const std::vector<WallFace> gone = shut_anew(grid, crossings);
+    if (grid.walls.voids) change.open_hollows(cells_within(grid, crossings));
     change.carry_over();
-    std::vector<std::size_t> changed;
-    for (const SweptCell& cell : swept) changed.push_back(cell.cell);
+    const std::vector<std::size_t> changed = change.cells();
     return_room(grid, gone, changed);
-    shape_cut(grid, gone);
+    shape_cut(grid, gone, changed);
 }
 
 void cut_first(EulerGrid& grid, const std::vector<WallCrossing>& crossings)
 {
     if (crossings.empty() && !grid.walls.any()) return;
-    if (grid.walls.solid.empty()) find_solid_cells(grid, crossings);
+    take_solid_cells(grid.walls, cells_within(grid, crossings));
     make_arrays(grid);
-    shape_cut(grid, shut_anew(grid, crossings));
+    shape_cut(grid, shut_anew(grid, crossings), {});
     std::copy(grid.walls.room_next.begin(), grid.walls.room_next.end(), grid.walls.room.begin());
 }
 

@@ -18,8 +18,9 @@ void cut_first(EulerGrid& grid, const std::vector<WallCrossing>& crossings);
 /// After the flow: takes the room at the end of the step for that of now, and lets cells within solids be as they were.
 void end_cut(EulerGrid& grid);
 
-/// Marks the cells that lie within solids, by what lines enter and leave; a line that leaves one first began in it.
-void find_solid_cells(EulerGrid& grid, const std::vector<WallCrossing>& crossings);
+/// Of each cell, whether it lies within a solid, by what lines enter and leave; a line that leaves one first began in it. Empty if no line
+/// meets a solid.
+[[nodiscard]] std::vector<std::uint8_t> cells_within(const EulerGrid& grid, const std::vector<WallCrossing>& crossings);
 
 /// Cells within solids are as they were before the flow: what is computed there is no gas.
 void keep_solid_cells(EulerGrid& grid);

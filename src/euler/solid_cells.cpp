@@ -15,7 +15,8 @@ struct LineCrossing {
 };
 
 /// Marks the cells of one line: it is within as many solids as it has entered and not left; what it leaves first it was in from the start.
-void mark_line(EulerGrid& grid, int d, const std::vector<LineCrossing>& crossings, std::size_t begin, std::size_t end)
+void mark_line(const EulerGrid& grid, int d, const std::vector<LineCrossing>& crossings, std::size_t begin, std::size_t end,
+               std::vector<std::uint8_t>& within)
 {
     const std::size_t count = grid.axes[static_cast<std::size_t>(d)].cells();
     const auto place = grid.place(crossings[begin].line);
@@ -30,13 +31,13 @@ void mark_line(EulerGrid& grid, int d, const std::vector<LineCrossing>& crossing
         for (; next < end && crossings[next].cell <= c; ++next) depth += crossings[next].enters ? 1 : -1;
         auto at = place;
         at[static_cast<std::size_t>(d)] = c;
-        if (depth > 0) grid.walls.solid[grid.cell(at[0], at[1], at[2])] = 1;
+        if (depth > 0) within[grid.cell(at[0], at[1], at[2])] = 1;
     }
 }
 
 }  // namespace
 
-void find_solid_cells(EulerGrid& grid, const std::vector<WallCrossing>& crossings)
+std::vector<std::uint8_t> cells_within(const EulerGrid& grid, const std::vector<WallCrossing>& crossings)
 {
     int d = 0;
     while (d < 2 && grid.axes[static_cast<std::size_t>(d)].inert()) ++d;
@@ -48,17 +49,18 @@ void find_solid_cells(EulerGrid& grid, const std::vector<WallCrossing>& crossing
         at[static_cast<std::size_t>(d)] = 0;
         found.push_back({grid.cell(at[0], at[1], at[2]), cell, crossing.place, crossing.enters});
     }
-    if (found.empty()) return;
+    if (found.empty()) return {};
     std::sort(found.begin(), found.end(), [](const LineCrossing& a, const LineCrossing& b) {
         return std::tuple(a.line, a.place, a.enters) < std::tuple(b.line, b.place, b.enters);
     });
-    grid.walls.solid.assign(grid.cells(), 0);
+    std::vector<std::uint8_t> within(grid.cells(), 0);
     for (std::size_t begin = 0; begin < found.size();) {
         std::size_t end = begin;
         while (end < found.size() && found[end].line == found[begin].line) ++end;
-        mark_line(grid, d, found, begin, end);
+        mark_line(grid, d, found, begin, end, within);
         begin = end;
     }
+    return within;
 }
 
 void keep_solid_cells(EulerGrid& grid)

@@ -73,7 +73,10 @@ struct Projected {
 /// Finds the crossings of one facet.
 class FacetCrossings {
 public:
-    FacetCrossings(const EulerGrid& grid, std::vector<WallCrossing>& found) : grid_(grid), found_(found) {}
+    FacetCrossings(const EulerGrid& grid, const Surface& surface, std::vector<WallCrossing>& found)
+        : grid_(grid), surface_(surface), found_(found)
+    {
+    }
 
     void add(std::uint32_t number, const Facet& facet, const std::array<Vector3d, 3>& corner, std::uint8_t free)
     {
@@ -147,12 +150,13 @@ private:
         at[static_cast<std::size_t>(seen.beside)] = line[1];
         const Vector3d along = normal[seen.axis] < 0 ? -normal : normal;
         found_.push_back({static_cast<std::uint8_t>(seen.axis), grid_.face_number(seen.axis, at), place, number, weight, along,
-                          seen.facet.solid, seen.facet.solid && normal[seen.axis] < 0, beyond_rim});
+                          seen.facet.solid, seen.facet.solid && (normal[seen.axis] < 0) != surface_.is_turned(number), beyond_rim});
     }
 
     [[nodiscard]] const EulerAxis& axis(int d) const { return grid_.axes[static_cast<std::size_t>(d)]; }
 
     const EulerGrid& grid_;
+    const Surface& surface_;
     std::vector<WallCrossing>& found_;
 };
 
@@ -166,7 +170,7 @@ std::vector<Found> joined(const std::vector<std::vector<Found>>& parts)
 }
 
 /// Cells whose middles one facet passes.
-void add_swept(const EulerGrid& grid, std::uint32_t facet, bool solid, const std::array<Vector3d, 3>& start,
+void add_swept(const EulerGrid& grid, std::uint32_t facet, bool solid, bool turned, const std::array<Vector3d, 3>& start,
                const std::array<Vector3d, 3>& end, std::vector<SweptCell>& found)
 {
     Box box;
@@ -182,7 +186,8 @@ void add_swept(const EulerGrid& grid, std::uint32_t facet, bool solid, const std
                 MovingFacet moving{start, end};
                 for (std::size_t c = 0; c < 3; ++c) moving.start[c] -= middle, moving.end[c] -= middle;
                 const MovingFacet::Meeting met = moving.first_meeting(false);
-                if (met.fraction <= 1) found.push_back({grid.cell(i, j, k), facet, met.normal, solid, solid && dot(met.normal, out) > 0});
+                if (met.fraction <= 1)
+                    found.push_back({grid.cell(i, j, k), facet, met.normal, solid, solid && (dot(met.normal, out) > 0) != turned});
             }
         }
     }
@@ -215,7 +220,7 @@ std::vector<WallCrossing> find_crossings(const EulerGrid& grid, const Surface& s
 {
     std::vector<std::vector<WallCrossing>> parts(part_count(surface.facets.size(), worth_a_part));
     for_each_part(surface.facets.size(), parts.size(), [&](std::size_t part, std::size_t begin, std::size_t end) {
-        FacetCrossings crossings(grid, parts[part]);
+        FacetCrossings crossings(grid, surface, parts[part]);
         for (std::size_t f = begin; f < end; ++f) {
             const Facet& facet = surface.facets[f];
             if (surface.is_hidden(f)) continue;
@@ -241,7 +246,7 @@ std::vector<SweptCell> swept_cells(const EulerGrid& grid, const Surface& surface
                 to[c] = nodes.end[surface.facets[f].node[c]];
             }
             if (from[0] == to[0] && from[1] == to[1] && from[2] == to[2]) continue;
-            add_swept(grid, static_cast<std::uint32_t>(f), surface.facets[f].solid, from, to, parts[part]);
+            add_swept(grid, static_cast<std::uint32_t>(f), surface.facets[f].solid, surface.is_turned(f), from, to, parts[part]);
         }
     });
     std::vector<SweptCell> found = joined(parts);

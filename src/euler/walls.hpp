@@ -67,6 +67,7 @@ struct EulerWalls {
     std::vector<WallSource> sources;                  ///< of these cells
     std::vector<std::int32_t> source_of;              ///< number in `sources` of each cell, -1: none
     std::vector<std::uint8_t> solid;                  ///< of each cell, 1: it lies within a solid and holds no gas; empty without solids
+    bool voids = false;                               ///< among them are cells of hollows that solids have left, where no gas has come yet
     std::uint64_t squeezed = 0;                       ///< cells passed by a wall whose gas had no way to stay on its side
 
     [[nodiscard]] bool any() const { return !room.empty(); }

@@ -65,9 +65,6 @@ void check_grid(const CaseDescription& description, Problems& problems)
         if (round)
             problems.add(fmt::format("part '{}' stands beside [euler] with a symmetry: parts meet grids in space only", part.name),
                          "expected [euler] without symmetry (planes of symmetry are rigid edges), or [gas] in its place", part.places.own);
-        else if (part.element.is_solid() && part.erosion)
-            problems.add(fmt::format("part '{}' of solids that erode stands beside [euler]", part.name),
-                         "expected no erosion of it, or [gas] in place of [euler]", part.places.own);
     }
 }
 

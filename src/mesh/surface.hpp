@@ -25,8 +25,10 @@ struct Facet {
 struct Surface {
     std::vector<Facet> facets;
     std::vector<std::uint8_t> hidden;  ///< of each facet, 1: it is not there, its element eroded or both its sides solid
+    std::vector<std::uint8_t> turned;  ///< of each facet, 1: the solid lies on its other side, for its own element has eroded
 
     [[nodiscard]] bool is_hidden(std::size_t facet) const { return facet < hidden.size() && hidden[facet] != 0; }
+    [[nodiscard]] bool is_turned(std::size_t facet) const { return facet < turned.size() && turned[facet] != 0; }
 };
 
 /// Where the nodes of a surface are at both ends of a step; in between they move on straight lines. [m]

@@ -104,6 +104,7 @@ void hide_facets(Structure& structure)
 {
     Surface& surface = structure.surface;
     surface.hidden.resize(surface.facets.size());
+    surface.turned.resize(surface.facets.size());
     for_each(surface.facets.size(), [&](std::size_t f) {
         const Facet& facet = surface.facets[f];
         const Part& part = structure.parts[facet.part];
@@ -111,7 +112,9 @@ void hide_facets(Structure& structure)
             return element != Facet::no_element &&
                    std::visit([&](const auto& elements) { return elements.is_left(element - part.first_element); }, part.elements);
         };
-        surface.hidden[f] = is_left(facet.element) == is_left(facet.other) ? 1 : 0;
+        const bool own = is_left(facet.element), other = is_left(facet.other);
+        surface.hidden[f] = own == other ? 1 : 0;
+        surface.turned[f] = other && !own ? 1 : 0;
     });
 }
 

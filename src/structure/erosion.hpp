@@ -37,7 +37,7 @@ struct Eroded {
 /// Nodes without an element are left standing where they are, without mass.
 Transfer erode(Structure& structure, Part& part, const Clock& clock);
 
-/// Marks the facets that have no element, or one on both sides, as hidden.
+/// Marks the facets that have no element, or one on both sides, as hidden, and those whose other element alone is left as turned.
 void hide_facets(Structure& structure);
 
 }  // namespace corpuscle

@@ -201,6 +201,7 @@ FieldSet state(Structure& structure)
                   node_state("inverse_inertia", "1/(kg m2)", "per direction, 0 where held", n.inverse_inertia),
                   body_field(n.bodies),
                   stored_field("hidden", "1", "facets that are not there", structure.surface.hidden),
+                  stored_field("turned", "1", "facets whose solid lies on their other side", structure.surface.turned),
                   scalar_state("eroded_elements", "1", "elements eroded", structure.eroded.elements),
                   scalar_state("eroded_mass", "kg", "mass that left with them", structure.eroded.mass),
                   scalar_state("eroded_internal", "J", "energy that left with them", structure.eroded.internal),

@@ -146,8 +146,6 @@ MISTAKES = [
     ("a grid beside particles", CASE + GRID[GRID.index("[euler]"):], r"case\.toml:\d+:1: there are both \[gas\] and \[euler\].*; expected one of them"),
     ("a part in a grid of rings", replaced("[euler]", "[euler]\nsymmetry = \"axisymmetric\"", GRID) + CASE[CASE.index("[[part]]"):],
      r"case\.toml:\d+:1: part 'plate' stands beside \[euler\] with a symmetry.*; expected \[euler\] without symmetry"),
-    ("solids that erode in a grid", GRID + CASE[CASE.index("[[part]]"):].replace('{ shell = { thickness = "5 mm" } }', '"solid"\nerosion = { plastic_strain = 0.2 }', 1),
-     r"case\.toml:\d+:1: part 'plate' of solids that erode stands beside \[euler\]; expected no erosion"),
     ("a grid's box without z", replaced("[[0, 0.6], [0, 0.6], [0, 0.6]]", "[[0, 0.6], [0, 0.6]]", GRID), r"case\.toml:11:7: the box of \[euler\] has 2 ranges, its symmetry leaves 3; expected \[\[x_min"),
     ("a grid of too few cells", replaced("\"50 mm\"", "\"200 mm\"", GRID), r"case\.toml:13:13: 3 cells along x: too few.*; expected 4 or more"),
     ("a grid of too many cells", replaced("\"50 mm\"", "\"0.2 mm\"", GRID), r"case\.toml:13:13: .* cells and 0 elements need about .*expected|more than 4e9 cells"),

@@ -1,6 +1,7 @@
 """A plate in the flow of gases on a grid: what a run leaves, its books, and bits that depend neither on threads nor on an interrupt."""
 
 import json
+import re
 import sys
 
 from grid_runs import history_rows, interrupted_run
@@ -25,7 +26,7 @@ def check_run(folder):
     execute(folder, "check", "case.toml", check=0)
     execute(folder, "run", "case.toml", "--out", "a", "--quiet", "--threads", "1", check=0)
     summary = json.loads((folder / "a/summary.json").read_text())
-    assert summary["status"] == "done"
+    assert summary["status"] == "done" and summary["work"]["squeezed_cells"] == 0
     assert abs(summary["ledger"]["mass_error"]) < 1e-12 and abs(summary["ledger"]["momentum_error"]) < 1e-12, summary["ledger"]
     given = [t for t in summary["ledger"]["transfers"] if (t["from"], t["to"]) == ("gas", "structure")][0]
     burnt = [t for t in summary["ledger"]["transfers"] if t["from"] == "explosive"][0]
@@ -55,6 +56,20 @@ element = "solid"
 material = "rha_steel"
 fix = [{ where = "x=0", dof = "symmetry" }, { where = "y=0", dof = "symmetry" }]
 """
+
+
+FINE = replaced('cell_size = "40 mm"', 'cell_size = "6.3 mm"', replaced('end_time = "0.3 ms"', 'end_time = "1 us"', replaced('"100 us"', '"0.2 us"', GRID)))
+
+
+def check_memory(folder):
+    """What `check` says that a run of a million cells needs, with a plate or without, is what it takes, pictures and saved states included."""
+    for name, text in [("fine", FINE), ("bare", FINE[:FINE.index("[[gauge]]")])]:
+        (folder / f"{name}.toml").write_text(text)
+        said = re.search(r"memory about ([\d.]+) MB", execute(folder, "check", f"{name}.toml", check=0)[1])
+        execute(folder, "run", f"{name}.toml", "--out", name, "--quiet", "--threads", "1", check=0)
+        summary = json.loads((folder / name / "summary.json").read_text())
+        assert summary["counts"]["cells"] > 1_000_000
+        assert abs(1e6 * float(said.group(1)) / summary["peak_memory_bytes"] - 1) < 0.15, (said.group(0), summary["peak_memory_bytes"])
 
 
 def check_solid(folder):
@@ -107,5 +122,27 @@ def check_two_charges(folder):
     assert given["momentum_n_s"][2] < -50, given
 
 
+TORN = GRID.replace("thickness = \"5 mm\"", "thickness = \"2 mm\"").replace("fix = [{ where = \"rim", "erosion = { plastic_strain = 0.02 }\nfix = [{ where = \"rim")
+BROKEN = SOLID.replace("layers = 1", "layers = 2").replace("rha_steel", "aluminium_5083_h116") + "erosion = { plastic_strain = 0.02 }\n"
+
+
+def check_eroding(folder):
+    """A plate of shells that tears and a block of bricks that breaks up: closed books, no gas squeezed, the same bits on two threads and after an interrupt."""
+    for name, text in [("torn", TORN), ("broken", BROKEN)]:
+        (folder / f"{name}.toml").write_text(text)
+        execute(folder, "run", f"{name}.toml", "--out", name, "--quiet", "--threads", "1", check=0)
+        summary = json.loads((folder / name / "summary.json").read_text())
+        ledger, work = summary["ledger"], summary["work"]
+        assert summary["status"] == "done" and work["squeezed_cells"] == 0, work
+        assert abs(ledger["mass_error"]) < 1e-12 and abs(ledger["momentum_error"]) < 1e-12, ledger
+        eroded = [t for t in ledger["transfers"] if t["to"] == "eroded"]
+        assert len(eroded) == 1 and eroded[0]["mass_kg"] > 0.01, ledger
+        execute(folder, "run", f"{name}.toml", "--out", f"{name}_2", "--quiet", "--threads", "2", check=0)
+        assert history_rows(folder / name) == history_rows(folder / f"{name}_2")
+        assert interrupted_run(folder, f"{name}.toml", f"{name}_cut") == 130
+        execute(folder, "resume", f"{name}_cut", "--quiet", check=0)
+        assert history_rows(folder / name) == history_rows(folder / f"{name}_cut")
+
+
 if __name__ == "__main__":
-    sys.exit(run_checks(GRID, [check_run, check_bits, check_solid, check_two_charges]))
+    sys.exit(run_checks(GRID, [check_run, check_bits, check_solid, check_two_charges, check_eroding, check_memory]))
