@@ -122,8 +122,8 @@ def check_two_charges(folder):
     assert given["momentum_n_s"][2] < -50, given
 
 
-TORN = GRID.replace("thickness = \"5 mm\"", "thickness = \"2 mm\"").replace("fix = [{ where = \"rim", "erosion = { plastic_strain = 0.02 }\nfix = [{ where = \"rim")
-BROKEN = SOLID.replace("layers = 1", "layers = 2").replace("rha_steel", "aluminium_5083_h116") + "erosion = { plastic_strain = 0.02 }\n"
+TORN = GRID.replace("thickness = \"5 mm\"", "thickness = \"2 mm\"").replace("fix = [{ where = \"rim", "erosion = { plastic_strain = 0.002 }\nfix = [{ where = \"rim")
+BROKEN = SOLID.replace("layers = 1", "layers = 2").replace("rha_steel", "aluminium_5083_h116") + "erosion = { principal_stress = \"20 MPa\" }\n"
 
 
 def check_eroding(folder):
