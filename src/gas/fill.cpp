@@ -30,11 +30,11 @@ Box common_box(const Box& a, const Box& b)
 }
 
 /// A lattice of nearly cubic cells over a box.
-struct Lattice {
+struct FillLattice {
     Box box;
     std::array<std::size_t, 3> cells{};
 
-    Lattice(const Box& region, double spacing) : box(region)
+    FillLattice(const Box& region, double spacing) : box(region)
     {
         for (int a = 0; a < 3; ++a) cells[a] = std::max<std::size_t>(1, static_cast<std::size_t>(std::llround(region.size()[a] / spacing)));
     }
@@ -60,7 +60,7 @@ Vector3d random_fraction(Random& random)
 }
 
 /// One random place in each lattice cell, those in the region; the same for any number of threads.
-std::vector<Vector3d> scatter(const Fill& fill, const Domain& domain, const Lattice& lattice, std::uint64_t seed)
+std::vector<Vector3d> scatter(const Fill& fill, const Domain& domain, const FillLattice& lattice, std::uint64_t seed)
 {
     struct Places {
         std::vector<Vector3d> list;
@@ -92,7 +92,7 @@ void adjust(std::vector<Vector3d>& places, std::size_t count, const Fill& fill, 
         places[drop] = places.back();
         places.pop_back();
     }
-    const Lattice whole(common_box(fill.shape.bounds(), domain.box), 1e30);
+    const FillLattice whole(common_box(fill.shape.bounds(), domain.box), 1e30);
     for (std::size_t tries = 0; places.size() < count; ++tries) {
         if (tries > 1000 * count + 100000)
             throw InputError("a fill's region is too thin for its particles", "give it more volume or fewer particles");
@@ -114,7 +114,7 @@ double volume(const Fill& fill, const Domain& domain)
         whole -= fill.cut_by[i].volume_within(region);
     }
     if (fill.cut_by.empty() || (fills_box && apart)) return std::max(0.0, whole);
-    const Lattice lattice(region, std::cbrt(region.volume() / 1e7));
+    const FillLattice lattice(region, std::cbrt(region.volume() / 1e7));
     return lattice.cell_volume() * static_cast<double>(scatter(fill, domain, lattice, 1).size());
 }
 
@@ -125,7 +125,7 @@ void fill(Gas& gas, const Fill& fill, std::size_t count)
     const std::uint64_t seed = gas.settings.seed + 0x9E3779B97F4A7C15u * (first + 1);
     const double room = volume(fill, gas.domain);
     if (!(room > 0)) throw InputError("a fill has particles but no room within the gas box", "move its shape, or what cuts it");
-    const Lattice lattice(common_box(fill.shape.bounds(), gas.domain.box), std::cbrt(room / static_cast<double>(count)));
+    const FillLattice lattice(common_box(fill.shape.bounds(), gas.domain.box), std::cbrt(room / static_cast<double>(count)));
     std::vector<Vector3d> places = scatter(fill, gas.domain, lattice, seed);
     adjust(places, count, fill, gas.domain, seed);
 

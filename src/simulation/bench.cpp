@@ -209,7 +209,7 @@ private:
         for (std::uint32_t j = 0; j <= pieces; ++j) {
             for (std::uint32_t i = 0; i <= pieces; ++i) {
                 const double x = double(i) / pieces, y = double(j) / pieces;
-                places.push_back({1.2 * x - 0.1, 1.2 * y - 0.1, 0.7 + 0.1 * x + 0.05 * y});
+                places.emplace_back(1.2 * x - 0.1, 1.2 * y - 0.1, 0.7 + 0.1 * x + 0.05 * y);
             }
         }
         for (std::uint32_t j = 0; j < pieces; ++j) {

@@ -109,8 +109,8 @@ std::vector<Verdict> judge_grid(const Model& model)
     std::vector<Verdict> verdicts;
     if (across > 0) verdicts.push_back({"charge", across, 0.125, "widest cell of the grid, over the charge's diameter"});
     if (way > 0)
-        verdicts.push_back(
-            {"resolution", way, 0.03, "widest cell of the grid, over the charge's distance; at the limit impulses come out some 4 % low"});
+        verdicts.push_back({"resolution", way, 0.03,
+                            "widest cell of the grid, over the charge's distance; at the limit impulses come out one or two per cent low"});
     return verdicts;
 }
 
