@@ -14,6 +14,19 @@ int thread_count()
     return omp_get_max_threads();
 }
 
+std::size_t thread_number()
+{
+    return static_cast<std::size_t>(omp_get_thread_num());
+}
+
+WorkShares::WorkShares(std::size_t pieces, std::size_t workers) : shares_(workers)
+{
+    for (std::size_t w = 0; w < workers; ++w) {
+        shares_[w].next = pieces * w / workers;
+        shares_[w].end = pieces * (w + 1) / workers;
+    }
+}
+
 std::size_t part_count(std::size_t count, std::size_t smallest)
 {
     const auto threads = static_cast<std::size_t>(thread_count());

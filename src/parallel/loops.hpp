@@ -10,6 +10,8 @@ namespace corpuscle {
 /// Threads that the loops below use. Results never depend on it: not one bit.
 void set_thread_count(int count);
 [[nodiscard]] int thread_count();
+/// Which of a loop's threads this is, from 0.
+[[nodiscard]] std::size_t thread_number();
 
 /// Items that a sum adds up as one piece, whatever the number of threads.
 inline constexpr std::size_t chunk_size = 4096;
@@ -22,13 +24,40 @@ void for_each(std::size_t count, const Body& body)
     for (std::size_t i = 0; i < count; ++i) body(i);
 }
 
-/// As `for_each` for items of very unequal cost: handed out `grain` at a time.
+/// The pieces of one loop, dealt out: each worker has pieces that follow one another, the same in every loop of that size, so that what
+/// it works on stays in its own cache; whoever is done takes from what others have left.
+class WorkShares {
+public:
+    WorkShares(std::size_t pieces, std::size_t workers);
+
+    /// body(piece) for every piece that `worker` comes to; all pieces are done when all workers that began have come back.
+    template <class Body>
+    void work(std::size_t worker, const Body& body)
+    {
+        for (std::size_t k = 0; k < shares_.size(); ++k) {
+            Share& share = shares_[(worker + k) % shares_.size()];
+            for (std::size_t p = share.next.fetch_add(1); p < share.end; p = share.next.fetch_add(1)) body(p);
+        }
+    }
+
+private:
+    struct alignas(64) Share {
+        std::atomic<std::size_t> next;
+        std::size_t end;
+    };
+    std::vector<Share> shares_;
+};
+
+/// As `for_each` for items of unequal cost: dealt out `grain` at a time.
 template <class Body>
 void for_each_dynamic(std::size_t count, std::size_t grain, const Body& body)
 {
-    const int pieces = static_cast<int>(grain);
-#pragma omp parallel for schedule(dynamic, pieces) if (count > grain)
-    for (std::size_t i = 0; i < count; ++i) body(i);
+    const std::size_t pieces = (count + grain - 1) / grain;
+    WorkShares shares(pieces, std::min(pieces, static_cast<std::size_t>(thread_count())));
+#pragma omp parallel if (pieces > 1)
+    shares.work(thread_number(), [&](std::size_t piece) {
+        for (std::size_t i = piece * grain; i < std::min(count, (piece + 1) * grain); ++i) body(i);
+    });
 }
 
 /// As `for_each` for bodies that write only their own item: vectorised.
@@ -60,10 +89,9 @@ void for_each_part(std::size_t count, std::size_t parts, const Body& body)
 template <class Scratch, class Body>
 void for_each_with(std::vector<Scratch>& scratches, std::size_t count, const Body& body)
 {
-    std::atomic<std::size_t> next{0};
-    for_each_part(scratches.size(), scratches.size(), [&](std::size_t part, std::size_t, std::size_t) {
-        for (std::size_t i = next.fetch_add(1); i < count; i = next.fetch_add(1)) body(scratches[part], i);
-    });
+    WorkShares shares(count, scratches.size());
+    for_each_part(scratches.size(), scratches.size(),
+                  [&](std::size_t part, std::size_t, std::size_t) { shares.work(part, [&](std::size_t i) { body(scratches[part], i); }); });
 }
 
 /// How many pieces are worth making of `count` items.

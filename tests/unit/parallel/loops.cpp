@@ -38,6 +38,28 @@ TEST_P(Loops, ForEachMeetsEveryItemOnce)
     }
 }
 
+TEST_P(Loops, SharedPiecesAreDoneOnceByHoweverManyWorkers)
+{
+    for (const std::size_t pieces : {0, 1, 6, 7, 8, 1000}) {
+        for (const std::size_t shares : {1, 3, 7}) {
+            std::vector<int> met(pieces);
+            WorkShares work(pieces, shares);
+            for_each_part(shares, shares, [&](std::size_t worker, std::size_t, std::size_t) {
+                if (worker % 2 == 0) work.work(worker, [&](std::size_t piece) { ++met[piece]; });  // the others never come
+            });
+            EXPECT_EQ(met, std::vector<int>(pieces, 1)) << shares << " shares";
+        }
+    }
+}
+
+TEST(WorkShares, WorkersBeginWithTheirOwnPieces)
+{
+    WorkShares work(10, 3);
+    std::vector<std::size_t> order;
+    work.work(1, [&](std::size_t piece) { order.push_back(piece); });
+    EXPECT_EQ(order, (std::vector<std::size_t>{3, 4, 5, 6, 7, 8, 9, 0, 1, 2}));
+}
+
 TEST_P(Loops, PartsFollowOneAnotherWithoutGap)
 {
     for (const std::size_t count : counts) {
