@@ -16,14 +16,6 @@ namespace {
 
 constexpr std::size_t deepest = 20;  // files that include one another
 
-/// The field as a message shows it: short, without control characters.
-std::string shown_field(std::string_view field)
-{
-    std::string text(field.substr(0, 40));
-    std::replace_if(text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-    return text;
-}
-
 /// A number as C++ reads it, of one as Fortran writes it: an exponent with D, or without a letter.
 std::string plain_real(std::string_view field)
 {
@@ -36,26 +28,29 @@ std::string plain_real(std::string_view field)
     return plus == std::string::npos ? text : text.erase(plus + 1, 1);
 }
 
-/// Why a field that begins so is no number, and what would mend it.
-const char* number_remedy(std::string_view field)
+constexpr const char* number_remedy = "correct the line, or export the mesh again";
+
+/// The file of that name: as it is if it is a full path, else beside the deck or in the first folder that has it. Folders may be parted
+/// as on Windows.
+std::filesystem::path found_file(std::string name, const std::filesystem::path& beside, const std::vector<std::string>& folders)
 {
-    if (field.starts_with('&')) return "parameters are not read in meshes: write the number";
-    return "correct the line, or export the mesh again";
+    std::replace(name.begin(), name.end(), '\\', '/');
+    const std::filesystem::path first = beside / name;
+    if (std::filesystem::is_regular_file(first)) return first;
+    for (const std::string& folder : folders)
+        if (const std::filesystem::path file = std::filesystem::path(folder) / name; std::filesystem::is_regular_file(file)) return file;
+    return first;
 }
 
 }  // namespace
 
 DeckLines::DeckLines(Scanner deck) : files_{deck.file()}
 {
-    open_.push_back({std::move(deck), {0, 0}});
+    open_.push_back({std::move(deck), {0, 0}, 0});
 }
 
 bool DeckLines::next()
 {
-    if (held_) {
-        held_ = false;
-        return true;
-    }
     while (!open_.empty() && open_.back().scanner.rest().empty()) open_.pop_back();
     if (open_.empty()) return false;
     text_ = open_.back().scanner.line();
@@ -64,22 +59,51 @@ bool DeckLines::next()
     return true;
 }
 
-void DeckLines::include(const std::string& name)
+std::optional<std::string_view> DeckLines::following() const
 {
-    const std::filesystem::path path = std::filesystem::path(files_[place_.file]).parent_path() / name;
+    const std::string_view rest = open_.empty() ? std::string_view{} : open_.back().scanner.rest();
+    if (rest.empty()) return std::nullopt;
+    return rest.substr(0, rest.find_first_of("\r\n"));
+}
+
+std::uint32_t DeckLines::include(const std::string& name, const std::vector<std::string>& folders)
+{
+    if (name.find('\0') != std::string::npos) fail("the name of a file has a byte 0", "correct the line");
+    const std::filesystem::path path = found_file(name, folder(), folders);
     const std::string file = path.lexically_normal().string();
-    for (const Open& open : open_)
-        if (files_[open.place.file] == file) fail(fmt::format("'{}' includes itself", name), "take the line out");
-    if (open_.size() >= deepest) fail(fmt::format("{} files include one another", open_.size()), "include the files in one deck");
+    const auto owner = std::find_if(open_.rbegin(), open_.rend(), [&](const Open& open) { return open.place.file == place_.file; });
+    const std::size_t depth = owner == open_.rend() ? 0 : owner->depth + 1;
+    if (any_around([&](std::uint32_t around) { return files_[around] == file; }))
+        fail(fmt::format("'{}' includes itself", name), "take the line out");
+    if (depth >= deepest) fail(fmt::format("{} files include one another", depth), "include the files in one deck");
     if (!std::filesystem::is_regular_file(path))
         fail(fmt::format("there is no file '{}' to include", file), "give its name as seen from this file, or its full path");
     files_.push_back(file);
-    open_.push_back({Scanner::open(file), {static_cast<std::uint32_t>(files_.size() - 1), 0}});
+    const auto index = static_cast<std::uint32_t>(files_.size() - 1);
+    open_.push_back({Scanner::open(file), {index, 0}, depth});
+    return index;
+}
+
+bool DeckLines::within(std::uint32_t file) const
+{
+    return any_around([&](std::uint32_t around) { return around == file; });
+}
+
+std::string DeckLines::folder() const
+{
+    return std::filesystem::path(files_[place_.file]).parent_path().string();
 }
 
 void DeckLines::fail_at(const DeckPlace& place, const std::string& problem, const std::string& remedy) const
 {
     throw InputError(problem, remedy, {files_[place.file], static_cast<int>(place.line), 1});
+}
+
+std::string shown_field(std::string_view field)
+{
+    std::string text(field.substr(0, 40));
+    std::replace_if(text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+    return text;
 }
 
 std::string_view trimmed_field(std::string_view text)
@@ -115,7 +139,7 @@ double real_field(const DeckLines& lines, std::string_view field, const char* wh
     double value = 0.0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value))
-        lines.fail(fmt::format("'{}' is not a number ({} was expected)", shown_field(field), what), number_remedy(field));
+        lines.fail(fmt::format("'{}' is not a number ({} was expected)", shown_field(field), what), number_remedy);
     return value;
 }
 
@@ -125,7 +149,7 @@ std::int64_t integer_field(const DeckLines& lines, std::string_view field, const
     std::int64_t value = 0;
     const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
     if (error != std::errc{} || end != field.data() + field.size())
-        lines.fail(fmt::format("'{}' is not a whole number ({} was expected)", shown_field(field), what), number_remedy(field));
+        lines.fail(fmt::format("'{}' is not a whole number ({} was expected)", shown_field(field), what), number_remedy);
     return value;
 }
 

@@ -20,6 +20,8 @@ public:
 
     /// The rest of the line without its end; moves to the next.
     std::string_view line();
+    /// Goes to the end of the file.
+    void skip_rest() { position_ = text_.size(); }
     /// The next word on this line, empty at its end: for what must not run into the next line.
     std::string_view word_on_line();
     /// The next word on any line; refuses the file's end, where `what` was expected. Empty words do not occur.
