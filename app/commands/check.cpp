@@ -23,7 +23,7 @@ void print_start(const FreeBlast& start)
                1e3 * start.time, start.front, start.obstacle);
 }
 
-void print_gas(const GasPlan& plan)
+void print_gas(const GasPlan& plan, const std::vector<GaugeInput>& gauges)
 {
     TextTable table({"gas", "law", "mass [kg]", "particles", "particle mass [kg]"});
     for (std::size_t i = 0; i < plan.fills.size(); ++i) {
@@ -38,6 +38,8 @@ void print_gas(const GasPlan& plan)
                                                    [](const Species& a, const Species& b) { return a.particle_mass < b.particle_mass; });
     fmt::print("heaviest over lightest particle: {:.3g}\n", most->particle_mass / least->particle_mass);
     if (plan.start) print_start(*plan.start);
+    if (std::any_of(gauges.begin(), gauges.end(), [](const GaugeInput& gauge) { return gauge.point.has_value(); }))
+        fmt::print("a gauge at a point sees the gas in a ball of {:.3g} mm about it\n", 1e3 * plan.point_radius());
     fmt::print("\n");
 }
 
@@ -134,7 +136,7 @@ int check_command(const Options& options)
     const CaseDescription description = case_of(options);
     const CaseSurvey survey = survey_case(description);
     fmt::print("{}\n\n", description.title.empty() ? description.file.string() : description.title);
-    if (survey.gas) print_gas(*survey.gas);
+    if (survey.gas) print_gas(*survey.gas, description.gauges);
     if (survey.euler) print_grid(*survey.euler);
     if (!survey.structure.parts.empty()) print_structure(survey.parts);
     const double steps = expected_steps(survey, description.end_time);

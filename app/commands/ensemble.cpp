@@ -32,8 +32,8 @@ SampleTimes sample_times(const CaseDescription& description)
     SampleTimes times;
     times.end = description.end_time;
     times.otherwise = description.output.energies_every.value_or(description.end_time / 300);
-    for (const ProbeInput& probe : description.probes) times.every[probe.name] = probe.every;
-    for (const GaugeInput& gauge : description.gauges) times.every[gauge.name] = gauge.every;
+    for (const ProbeInput& probe : description.probes) times.every[probe.name] = interval_of(probe.every, times.end);
+    for (const GaugeInput& gauge : description.gauges) times.every[gauge.name] = interval_of(gauge.every, times.end);
     return times;
 }
 

@@ -44,7 +44,7 @@ std::vector<double> numbers_of(const std::string& list)
     }
 }
 
-/// Where the flow is watched: distances given, or those of the case's sphere gauges.
+/// Where the flow is watched: distances given, or those of the case's gauges at points or in balls.
 std::vector<double> distances(const Options& options, const CaseDescription& description, const LoneCharge& lone)
 {
     std::vector<double> found;
@@ -52,10 +52,10 @@ std::vector<double> distances(const Options& options, const CaseDescription& des
         found = numbers_of(options.at);
     } else {
         for (const GaugeInput& gauge : description.gauges)
-            if (gauge.sphere) found.push_back(norm(gauge.sphere->center - lone.center));
+            if (gauge.point || gauge.sphere) found.push_back(norm((gauge.point ? *gauge.point : gauge.sphere->center) - lone.center));
     }
     if (found.empty())
-        throw InputError("there is nowhere to watch the blast: the case has no gauge with a sphere",
+        throw InputError("there is nowhere to watch the blast: the case has no gauge at a point or in a sphere",
                          "give distances, such as --at 0.5,1,2");
     std::sort(found.begin(), found.end());
     return found;

@@ -44,13 +44,13 @@ bool has(const ProbeInput& input, ProbeQuantity quantity)
     return std::find(input.quantities.begin(), input.quantities.end(), quantity) != input.quantities.end();
 }
 
-Probe make_probe(const ProbeInput& input, const Structure& structure, std::vector<std::string>& warnings)
+Probe make_probe(const ProbeInput& input, const Structure& structure, double end_time, std::vector<std::string>& warnings)
 {
     Probe probe{input.name,
                 probed_node(structure, input.node_at),
                 has(input, ProbeQuantity::displacement),
                 has(input, ProbeQuantity::velocity),
-                input.every,
+                interval_of(input.every, end_time),
                 {}};
     if (input.reference)
         probe.reference = Reference{input.reference->value, static_cast<int>(input.reference->component), input.reference->label};
@@ -62,29 +62,36 @@ Probe make_probe(const ProbeInput& input, const Structure& structure, std::vecto
     return probe;
 }
 
+/// The region of the gas that a gauge sees; a point is a ball of `point_radius`.
+Shape shape_of(const GaugeInput& input, double point_radius)
+{
+    if (input.point) return Shape::sphere(*input.point, point_radius);
+    if (input.sphere) return Shape::sphere(input.sphere->center, input.sphere->radius);
+    return Shape::box(box_of(*input.box));
+}
+
 RegionGauge region_of(const Shape& shape, const Domain& domain, const GaugeInput& input)
 {
     const double volume = shape.volume_within(domain.box);
-    if (!(volume > 0))
+    if (!(volume > 0) || (input.point && !domain.box.contains(*input.point)))
         throw InputError(fmt::format("gauge '{}' lies outside the gas box", input.name), "expected it within the box of [gas]",
                          input.places.own);
     return {shape, volume};
 }
 
-Gauge make_gauge(const GaugeInput& input, const Model& model)
+Gauge make_gauge(const GaugeInput& input, const Model& model, double point_radius)
 {
+    const double every = interval_of(input.every, model.end_time);
     const Place& place = input.places.own;
     const Domain& domain = model.gas.domain;
     return at_place(place, [&]() -> Gauge {
-        if (input.facets) return {input.name, PartGauge{part_index(model.structure, *input.facets)}, input.every};
-        if (input.sphere)
-            return {input.name, region_of(Shape::sphere(input.sphere->center, input.sphere->radius), domain, input), input.every};
-        if (input.box) return {input.name, region_of(Shape::box(box_of(*input.box)), domain, input), input.every};
+        if (input.facets) return {input.name, PartGauge{part_index(model.structure, *input.facets)}, every};
+        if (!input.face) return {input.name, region_of(shape_of(input, point_radius), domain, input), every};
         const int face = static_cast<int>(*input.face);
         if (domain.edges[static_cast<std::size_t>(face)] != Edge::rigid)
             throw InputError(fmt::format("gauge '{}' is on a face of the gas box that is not rigid", input.name),
                              "expected a face whose edge is \"rigid\"", input.places.of("face"));
-        return {input.name, FaceGauge{face}, input.every};
+        return {input.name, FaceGauge{face}, every};
     });
 }
 
@@ -140,6 +147,7 @@ std::unique_ptr<Model> build(const CaseDescription& description, CaseSurvey& sur
     const double start_time = survey.gas && survey.gas->start       ? survey.gas->start->time
                               : survey.euler && survey.euler->start ? survey.euler->start->time
                                                                     : 0;
+    const double point_radius = survey.gas ? survey.gas->point_radius() : 0;
     Gas gas = survey.gas ? at_place(description.gas->places.own, [&] { return fill_gas(std::move(*survey.gas)); }) : Gas{};
     auto model = std::make_unique<Model>(std::move(gas), std::move(survey.structure));
     model->title = description.title;
@@ -149,11 +157,13 @@ std::unique_ptr<Model> build(const CaseDescription& description, CaseSurvey& sur
     for (std::size_t i = 0; i < description.loads.size(); ++i) add_load(*model, description.loads[i], survey.loads[i]);
     if (norm(description.gravity) > 0) model->loads.push_back(std::make_unique<GravityLoad>(model->structure, description.gravity));
     let_sleep_beside_structure(*model);
-    for (const ProbeInput& probe : description.probes) model->probes.push_back(make_probe(probe, model->structure, survey.warnings));
+    for (const ProbeInput& probe : description.probes)
+        model->probes.push_back(make_probe(probe, model->structure, model->end_time, survey.warnings));
     if (survey.euler) model->euler = at_place(description.euler->places.own, [&] { return fill_grid(*survey.euler); });
     if (survey.euler) divide_by_walls(*model, *survey.euler);
     for (const GaugeInput& gauge : description.gauges)
-        model->gauges.push_back(survey.euler && !gauge.facets ? make_grid_gauge(gauge, model->euler) : make_gauge(gauge, *model));
+        model->gauges.push_back(survey.euler && !gauge.facets ? make_grid_gauge(gauge, model->euler, model->end_time)
+                                                              : make_gauge(gauge, *model, point_radius));
     model->known_blast = known_blast(description);
     return model;
 }

@@ -262,17 +262,31 @@ Gas fill_from_sphere(GasPlan plan)
 
 }  // namespace
 
+double tidy_gamma(double gamma)
+{
+    return std::min(gamma, 5.0 / 3);
+}
+
 EquationOfState make_law(const LawValues& values, double density)
 {
     if (values.jwl) return Jwl{values.jwl->a, values.jwl->b, values.jwl->r1, values.jwl->r2, values.jwl->omega, density};
     if (values.noble_abel)
-        return NobleAbel{values.noble_abel->gamma, values.noble_abel->co_volume, values.noble_abel->reference_density.value_or(density)};
-    return IdealGas{values.ideal ? values.ideal->gamma : 1.4};
+        return NobleAbel{tidy_gamma(values.noble_abel->gamma), values.noble_abel->co_volume,
+                         values.noble_abel->reference_density.value_or(density)};
+    return IdealGas{values.ideal ? tidy_gamma(values.ideal->gamma) : 1.4};
 }
 
 std::size_t GasPlan::particles() const
 {
     return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
+}
+
+double GasPlan::point_radius() const
+{
+    const AmbientGas& around = gas.ambient;
+    const double room = around.density > 0 ? gas.species[around.species].particle_mass / around.density
+                                           : gas.domain.box.volume() / static_cast<double>(particles());
+    return 3 * std::cbrt(room);
 }
 
 GasPlan plan_gas(const CaseDescription& description, std::vector<std::string>& warnings)

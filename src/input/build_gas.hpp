@@ -11,6 +11,9 @@
 
 namespace corpuscle {
 
+/// A heat capacity ratio as given, but 5/3 for what is above it (1.667): a particle has no fewer freedoms. [1]
+[[nodiscard]] double tidy_gamma(double gamma);
+
 /// The law of preset values; `density` is the reference where the values give none.
 [[nodiscard]] EquationOfState make_law(const LawValues& values, double density);
 
@@ -24,6 +27,9 @@ struct GasPlan {
     std::optional<SphericalStart> start;  ///< if the particles begin from the blast in one dimension
 
     [[nodiscard]] std::size_t particles() const;
+    /// Of the ball that a gauge at a point sees: three spacings of the undisturbed gas, a hundred particles; in a vacuum, of all particles
+    /// spread over the box. [m]
+    [[nodiscard]] double point_radius() const;
 };
 
 /// Works out everything but the particles themselves. Errors: InputError at the place of what is wrong: no charge and no fill, a

@@ -16,7 +16,8 @@ struct GasState {
 /// The state a gas usually has: from two of its density, pressure and temperature. Errors: InputError if they do not say it.
 [[nodiscard]] GasState usual_state(const GasValues& values);
 
-/// The state a fill asks for. Errors: InputError if the gas cannot have it.
+/// The state a fill asks for, by two of density, pressure and temperature, by density and energy, or the usual one. Errors: InputError if
+/// it says too little or too much, or the gas cannot have it.
 [[nodiscard]] GasState state_of(const FillInput& fill);
 
 }  // namespace corpuscle

@@ -103,10 +103,16 @@ GridRegionGauge find_cells(const EulerGrid& grid, const Region& region)
 
 GridRegionGauge region_gauge(const GaugeInput& input, const EulerGrid& grid)
 {
-    const Region region = region_of(input, grid.space);
-    GridRegionGauge found = find_cells(grid, region);
-    if (!found.cells.empty()) return found;
-    const auto cell = cell_around(grid, region.middle);
+    Vector3d middle;
+    if (input.point) {
+        middle = in_space(grid.space, grid_point(grid.space, *input.point));
+    } else {
+        const Region region = region_of(input, grid.space);
+        GridRegionGauge found = find_cells(grid, region);
+        if (!found.cells.empty()) return found;
+        middle = region.middle;
+    }
+    const auto cell = cell_around(grid, middle);
     if (!cell)
         throw InputError(fmt::format("gauge '{}' lies outside the gas box", input.name), "expected it within the box of [euler]",
                          input.places.own);
@@ -134,10 +140,11 @@ GridFaceGauge face_gauge(const GaugeInput& input, const EulerGrid& grid)
 
 }  // namespace
 
-Gauge make_grid_gauge(const GaugeInput& input, const EulerGrid& grid)
+Gauge make_grid_gauge(const GaugeInput& input, const EulerGrid& grid, double end_time)
 {
-    if (input.face) return {input.name, face_gauge(input, grid), input.every};
-    return {input.name, region_gauge(input, grid), input.every};
+    const double every = interval_of(input.every, end_time);
+    if (input.face) return {input.name, face_gauge(input, grid), every};
+    return {input.name, region_gauge(input, grid), every};
 }
 
 }  // namespace corpuscle

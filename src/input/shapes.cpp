@@ -23,18 +23,20 @@ void require_ordered(const BoxRanges& box, const Place& place)
                              "expected the lower end first, and some length", place);
 }
 
-/// The shape of a charge of which form, mass and center are given.
+/// The shape of a charge of which form and center are given, and mass or radius, or both of a cylinder.
 Shape shape_of_form(const ChargeInput& charge)
 {
-    const double volume = *charge.mass / charge.explosive.values->density;
+    const double volume = charge.mass.value_or(0) / charge.explosive.values->density;
     const Vector3d center = *charge.center;
     switch (*charge.shape.form) {
-        case ChargeForm::sphere: return Shape::sphere(center, std::cbrt(3 * volume / (4 * pi)));
-        case ChargeForm::hemisphere: return Shape::hemisphere(center, std::cbrt(3 * volume / (2 * pi)), charge.axis);
+        case ChargeForm::sphere: return Shape::sphere(center, charge.radius.value_or(std::cbrt(3 * volume / (4 * pi))));
+        case ChargeForm::hemisphere:
+            return Shape::hemisphere(center, charge.radius.value_or(std::cbrt(3 * volume / (2 * pi))), charge.axis);
         case ChargeForm::cylinder: break;
     }
-    const double radius = std::cbrt(volume / (2 * pi * charge.length_over_diameter));
-    return Shape::cylinder(center, radius, 2 * radius * charge.length_over_diameter, charge.axis);
+    const double radius = charge.radius.value_or(std::cbrt(volume / (2 * pi * charge.length_over_diameter)));
+    const bool both = charge.mass && charge.radius;
+    return Shape::cylinder(center, radius, both ? volume / (pi * radius * radius) : 2 * radius * charge.length_over_diameter, charge.axis);
 }
 
 }  // namespace
@@ -75,17 +77,29 @@ Shape make_shape(const ShapeInput& input, const CaseDescription& description)
     });
 }
 
+void check_form(const ChargeInput& charge)
+{
+    const char* remedy = "expected center and mass or radius, such as mass = \"15 kg\" and center = [0, 0, \"700 mm\"]";
+    if (!charge.mass && !charge.radius) throw InputError("the charge has a form but neither mass nor radius", remedy, charge.places.own);
+    if (!charge.center) throw InputError("the charge has a form but no center", remedy, charge.places.own);
+    if (!charge.mass || !charge.radius) return;
+    if (*charge.shape.form != ChargeForm::cylinder)
+        throw InputError("the charge has both a mass and a radius", "leave one out: the explosive's density joins them",
+                         charge.places.of("radius"));
+    if (charge.places.keys.contains("length_over_diameter"))
+        throw InputError("the charge has a mass, a radius and length_over_diameter", "leave one out: the explosive's density joins them",
+                         charge.places.of("length_over_diameter"));
+}
+
 Shape make_charge_shape(const ChargeInput& charge, const CaseDescription& description)
 {
     if (!charge.shape.form) {
-        if (charge.mass)
-            throw InputError("the charge has both a mass and a shape with its size", "leave one out: the explosive's density joins them",
-                             charge.places.of("mass"));
+        if (charge.mass || charge.radius)
+            throw InputError(fmt::format("the charge has both a {} and a shape with its size", charge.mass ? "mass" : "radius"),
+                             "leave one out: the explosive's density joins them", charge.places.of(charge.mass ? "mass" : "radius"));
         return make_shape(charge.shape, description);
     }
-    if (!charge.mass || !charge.center)
-        throw InputError(fmt::format("the charge has a form but no {}", charge.mass ? "center" : "mass"),
-                         "expected mass and center, such as mass = \"15 kg\" and center = [0, 0, \"700 mm\"]", charge.places.own);
+    check_form(charge);
     return at_place(charge.places.own, [&] { return shape_of_form(charge); });
 }
 

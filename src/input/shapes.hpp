@@ -8,7 +8,10 @@ namespace corpuscle {
 /// The shape a case gives in full. Errors: InputError at the shape's place (only a form, a size not above 0, a surface with a hole).
 [[nodiscard]] Shape make_shape(const ShapeInput& input, const CaseDescription& description);
 
-/// The charge's shape: in full, or from form, mass, center and the explosive's density. Errors: InputError at the charge's place
+/// Refuses a charge of which a form is given, with too little or too much to give its size and place. Errors: InputError at the charge.
+void check_form(const ChargeInput& charge);
+
+/// The charge's shape: in full, or from form, center, mass or radius and the explosive's density. Errors: InputError at the charge's place
 /// where too much or too little is given.
 [[nodiscard]] Shape make_charge_shape(const ChargeInput& charge, const CaseDescription& description);
 

@@ -9,6 +9,7 @@
 #include "input/build_gas.hpp"
 #include "input/gas_states.hpp"
 #include "input/placed.hpp"
+#include "input/shapes.hpp"
 #include "mesh/distance.hpp"
 #include "radial/charge.hpp"
 
@@ -37,7 +38,9 @@ SphereInput ball_of(const ChargeInput& charge, const std::string& who)
     const bool form = charge.shape.form && *charge.shape.form == ChargeForm::sphere;
     if (!form && !charge.shape.sphere)
         throw InputError(who + " with a charge that is no sphere", "expected shape = \"sphere\"", charge.places.of("shape"));
-    return form ? SphereInput{*charge.center, ball_radius(*charge.mass, charge.explosive.values->density)} : *charge.shape.sphere;
+    if (!form) return *charge.shape.sphere;
+    check_form(charge);
+    return {*charge.center, charge.radius ? *charge.radius : ball_radius(*charge.mass, charge.explosive.values->density)};
 }
 
 /// Runs the flow until its front is near `reach` [m] and all has burnt; refuses one that does not get there in time [s].

@@ -21,10 +21,43 @@ void note_places(void* description, const Table& table, const Value& value)
     for (std::size_t i = 0; i < value.keys.size(); ++i) places->keys[value.keys[i].name] = value.items[i].place;
 }
 
+/// How a key of an inner table is written within this one, such as "shape = { sphere = { radius = ... } }"; shallow ones first.
+std::vector<std::string> ways_to(const Table& table, const std::string& key, int depth = 3)
+{
+    std::vector<std::string> near, far;
+    for (const Parameter& row : table.rows) {
+        if (row.key == key) near.push_back(key + " = ...");
+        if (depth == 0 || row.table == nullptr || row.kind.find("preset") != std::string::npos) continue;
+        for (const std::string& way : ways_to(row.table(), key, depth - 1))
+            far.push_back(fmt::format(fmt::runtime(row.many ? "{} = [{{ {} }}]" : "{} = {{ {} }}"), row.key, way));
+    }
+    std::stable_sort(far.begin(), far.end(), [](const auto& a, const auto& b) {
+        return std::count(a.begin(), a.end(), '{') < std::count(b.begin(), b.end(), '{');
+    });
+    near.insert(near.end(), far.begin(), far.end());
+    return near;
+}
+
 void report_unknown(const Table& table, const Key& key, Problems& problems)
 {
     const std::string where = table.name.empty() ? "" : fmt::format(" in '{}'", table.name);
-    problems.add(fmt::format("unknown key '{}'{}", key.name, where), suggestion(key.name, table.keys()), key.place);
+    std::vector<std::string> ways = ways_to(table, key.name);
+    ways.resize(std::min<std::size_t>(ways.size(), 2));
+    const bool within = !ways.empty() && nearest_names(key.name, table.keys()).empty();
+    const std::string remedy = within ? fmt::format("did you mean {}?", fmt::join(ways, " or ")) : suggestion(key.name, table.keys());
+    problems.add(fmt::format("unknown key '{}'{}", key.name, where), remedy, key.place);
+}
+
+/// A word that is none of those that may stand for the table; the name of one of its keys wants more than the word.
+void report_word(const Table& table, const Parameter& plain, const Value& value, Problems& problems)
+{
+    const Parameter* meant = table.find(value.text);
+    const std::vector<std::string> near = nearest_names(value.text, plain.choices);
+    std::string remedy = near.empty() ? "" : suggestion(value.text, plain.choices) + " ";
+    remedy += "expected one of " + listed(plain.choices);
+    if (meant != nullptr) remedy = fmt::format("expected a table, such as {} = {{ {} = {} }}", table.name, meant->key, meant->example);
+    problems.add(fmt::format("{} = \"{}\" is {}", table.name, value.text, meant != nullptr ? "not enough" : "not known"), remedy,
+                 value.place);
 }
 
 void check_required(const Table& table, const Value& value, Problems& problems)
@@ -79,6 +112,9 @@ void read_table(void* description, const Table& table, const Value& value, Probl
     note_places(description, table, value);
     if (value.kind != ValueKind::table) {
         const Parameter* plain = table.find(table.shorthand);
+        const bool word = plain != nullptr && !plain->choices.empty() && value.kind == ValueKind::text;
+        if (word && std::find(plain->choices.begin(), plain->choices.end(), value.text) == plain->choices.end())
+            return report_word(table, *plain, value, problems);
         if (plain != nullptr) return plain->read(description, value, problems);
         problems.add(fmt::format("'{}' is {}", table.name, value.kind_name()), "expected a table with the keys " + listed(table.keys()),
                      value.place);

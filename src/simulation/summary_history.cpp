@@ -10,6 +10,7 @@ namespace corpuscle {
 namespace {
 
 constexpr double arrival_share = 0.05, rounding = 1e-9;
+constexpr double told_from_noise = 4;  ///< standard errors
 
 /// Extremes of the samples that are there; nothing if there are none.
 std::optional<ProbeSummary> extremes(const std::vector<double>& times, const std::vector<double>& values)
@@ -41,14 +42,21 @@ double value_at(const HistoryTable& history, const std::string& column, double t
     return (*values)[static_cast<std::size_t>(row - history.times.begin())];
 }
 
-/// When a pressure first rises by a share of its greatest rise.
-double arrival(const std::vector<double>& times, const std::vector<double>& pressures, double peak)
+/// When a pressure first rises by a share of its greatest rise, and by more than still gas would by chance: the squared error of a sample
+/// goes with its pressure, as that of a number of impacts does. Not a number if it never does. `errors`: of the pressures, or null.
+double arrival(const std::vector<double>& times, const std::vector<double>& pressures, const std::vector<double>* errors, double peak)
 {
+    constexpr double never = std::numeric_limits<double>::quiet_NaN();
     const auto first = std::find_if(pressures.begin(), pressures.end(), [](double pressure) { return !std::isnan(pressure); });
-    if (first == pressures.end() || !(peak - *first > rounding * std::abs(*first))) return std::numeric_limits<double>::quiet_NaN();
-    const double threshold = *first + arrival_share * (peak - *first);
-    const auto come = std::find_if(pressures.begin(), pressures.end(), [threshold](double pressure) { return pressure >= threshold; });
-    return times[static_cast<std::size_t>(come - pressures.begin())];
+    if (first == pressures.end() || !(peak - *first > rounding * std::abs(*first))) return never;
+    for (std::size_t i = 0; i < pressures.size(); ++i) {
+        const double rise = pressures[i] - *first;
+        if (!(rise >= arrival_share * (peak - *first))) continue;
+        const double error = errors != nullptr ? (*errors)[i] : 0.0;
+        const double of_still_gas = error > 0 ? error * std::sqrt(std::max(0.0, *first) / pressures[i]) : 0.0;
+        if (rise >= told_from_noise * of_still_gas) return times[i];
+    }
+    return never;
 }
 
 }  // namespace
@@ -102,7 +110,7 @@ std::optional<EmpiricalSummary> empirical_summary(const HistoryTable& history, c
     if (pressure == nullptr || impulse == nullptr) return {};
     const std::optional<ProbeSummary> peak = extremes(history.times, *pressure), pushed = extremes(history.times, *impulse);
     if (!peak || !pushed) return {};
-    return EmpiricalSummary{peak->maximum, pushed->maximum, arrival(history.times, *pressure, peak->maximum)};
+    return EmpiricalSummary{peak->maximum, pushed->maximum, arrival(history.times, *pressure, nullptr, peak->maximum)};
 }
 
 }  // namespace
@@ -120,7 +128,7 @@ void add_gauges(RunSummary& summary, const HistoryTable& history, const std::vec
         if (impulse != nullptr) pushed = extremes(history.times, *impulse).value_or(ProbeSummary{});
         summary.gauges[name] = {peak,
                                 pushed.maximum,
-                                arrival(history.times, *pressure, peak),
+                                arrival(history.times, *pressure, history.find(name + ".pressure_error"), peak),
                                 value_at(history, name + ".pressure_error", seen->time_of_maximum),
                                 value_at(history, name + ".impulse_error", pushed.time_of_maximum),
                                 empirical_summary(history, name)};

@@ -48,16 +48,20 @@ template <>
 const Table& table_of<ChargeInput>()
 {
     static const Table table =
-        TableBuilder<ChargeInput>("charge", "A charge of explosive. Give its form with mass and center, or a shape with its size.")
+        TableBuilder<ChargeInput>("charge",
+                                  "A charge of explosive. Give its form with its center and its mass or radius (a cylinder may have both), "
+                                  "or a shape with its size.")
             .need("explosive", &ChargeInput::explosive, {"", {}, "What it is made of (`corpuscle list explosives`).", "\"tnt\""})
             .row("shape", &ChargeInput::shape, {"", {}, "Its form alone, or its whole shape.", "\"sphere\""})
             .row("mass", &ChargeInput::mass,
                  {"kg", above(0), "Mass of the whole charge, also where planes of symmetry cut it.", "\"15 kg\""})
+            .row("radius", &ChargeInput::radius,
+                 {"m", above(0), "Radius of its form; the explosive's density gives the mass.", "\"130 mm\""})
             .row("center", &ChargeInput::center, {"m", {}, "Its center (of a hemisphere: of the whole ball).", "[0, 0, \"700 mm\"]"})
             .row("axis", &ChargeInput::axis,
                  {"", {}, "Axis of a cylinder; of a hemisphere, from the flat face into the dome.", "[0, 0, 1]"})
             .row("length_over_diameter", &ChargeInput::length_over_diameter,
-                 {"", above(0), "Proportions of a cylinder that is given by its mass.", "1"})
+                 {"", above(0), "Proportions of a cylinder that is given by its mass or its radius alone.", "1"})
             .row("detonation", &ChargeInput::detonation,
                  {"", {}, "Where and when it is lit; at its center at time 0 if not given.", "[{ point = [0, 0, \"700 mm\"], time = 0 }]"})
             .table();
@@ -160,15 +164,17 @@ template <>
 const Table& table_of<FillInput>()
 {
     static const Table table =
-        TableBuilder<FillInput>("fill", "A gas state in a shape: shock tubes, vessels, rooms. Later fills cut earlier ones.")
+        TableBuilder<FillInput>(
+            "fill",
+            "A gas state in a shape: shock tubes, vessels, rooms. Later fills cut earlier ones. Give two of density, pressure and "
+            "temperature, or density and energy_density; with none of them it is the gas's usual state.")
             .need("gas", &FillInput::gas, {"", {}, "Which gas (`corpuscle list gases`), or its law in place.", "\"air\""})
             .need("shape", &FillInput::shape, {"", {}, "Where.", "{ box = [[0, 0.5], [0, 0.1], [0, 0.1]] }"})
-            .need("density", &FillInput::density, {"kg/m3", above(0), "Density.", "\"1.2 kg/m3\""})
+            .row("density", &FillInput::density, {"kg/m3", above(0), "Density.", "\"1.2 kg/m3\""})
             .row("pressure", &FillInput::pressure, {"Pa", above(0), "Pressure.", "\"101.325 kPa\""})
             .row("temperature", &FillInput::temperature, {"K", above(0), "Temperature; the gas then needs a molar mass.", "\"20 degC\""})
             .row("energy_density", &FillInput::energy_density, {"J/m3", above(0), "Internal energy per volume.", "\"0.253 MJ/m3\""})
             .row("velocity", &FillInput::velocity, {"m/s", {}, "Bulk velocity.", "[100, 0, 0]"})
-            .one_of({"pressure", "temperature", "energy_density"})
             .table();
     return table;
 }

@@ -25,9 +25,10 @@ struct ChargeInput {
     Preset<ExplosiveValues> explosive;
     ShapeInput shape{ChargeForm::sphere, {}, {}, {}, {}, {}, {}, {}};
     std::optional<double> mass;      ///< of the whole charge, beyond planes of symmetry too [kg]
+    std::optional<double> radius;    ///< of its form [m]
     std::optional<Vector3d> center;  ///< [m]
     Vector3d axis{0, 0, 1};
-    double length_over_diameter = 1;  ///< of a cylinder given by its mass
+    double length_over_diameter = 1;  ///< of a cylinder given by its mass or its radius
     std::vector<DetonationInput> detonation;
     Places places;
 };
@@ -70,7 +71,7 @@ struct GasInput {
 struct FillInput {
     Preset<GasValues> gas;
     ShapeInput shape;
-    double density = 0;                    ///< [kg/m3]
+    std::optional<double> density;         ///< [kg/m3]
     std::optional<double> pressure;        ///< [Pa]
     std::optional<double> temperature;     ///< [K]
     std::optional<double> energy_density;  ///< [J/m3]

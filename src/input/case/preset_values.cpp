@@ -33,7 +33,7 @@ const Table& table_of<IdealValues>()
 {
     static const Table table =
         TableBuilder<IdealValues>("ideal", "Ideal gas: p = (gamma - 1) E/V.")
-            .need("gamma", &IdealValues::gamma, {"", {1, 5.0 / 3.0 + 1e-3, false, true}, "Heat capacity ratio.", "1.4"})
+            .need("gamma", &IdealValues::gamma, {"", {1, 5.0 / 3.0 + 1e-3, false, true}, "Heat capacity ratio; 1.667 is 5/3.", "1.4"})
             .table();
     return table;
 }
@@ -43,7 +43,7 @@ const Table& table_of<NobleAbelValues>()
 {
     static const Table table =
         TableBuilder<NobleAbelValues>("noble_abel", "Noble-Abel gas: p (V - b) = (gamma - 1) E.")
-            .need("gamma", &NobleAbelValues::gamma, {"", {1, 5.0 / 3.0 + 1e-3, false, true}, "Heat capacity ratio.", "1.3"})
+            .need("gamma", &NobleAbelValues::gamma, {"", {1, 5.0 / 3.0 + 1e-3, false, true}, "Heat capacity ratio; 1.667 is 5/3.", "1.3"})
             .need("co_volume", &NobleAbelValues::co_volume,
                   {"", {0, 1, true, false}, "Co-volume b as a fraction of the volume at the reference density.", "0.3"})
             .row("reference_density", &NobleAbelValues::reference_density,
@@ -97,7 +97,8 @@ const Table& table_of<GasValues>()
             .row("name", &GasValues::name, {"", {}, "As a case names it.", "\"air\""})
             .row("title", &GasValues::title, {"", {}, "For people.", "\"Dry air\""})
             .row("law", &GasValues::law, {"", {}, "Equation of state.", "{ ideal = { gamma = 1.4 } }"})
-            .row("gamma", &GasValues::gamma, {"", {1, 5.0 / 3.0 + 1e-3, false, true}, "Heat capacity ratio, in place of a law.", "1.4"})
+            .row("gamma", &GasValues::gamma,
+                 {"", {1, 5.0 / 3.0 + 1e-3, false, true}, "Heat capacity ratio, in place of a law; 1.667 is 5/3.", "1.4"})
             .row("co_volume", &GasValues::co_volume,
                  {"", {0, 1, true, false}, "Co-volume as a fraction of the volume at the reference density, beside gamma.", "0.3"})
             .row("reference_density", &GasValues::reference_density,

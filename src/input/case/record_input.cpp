@@ -49,7 +49,8 @@ const Table& table_of<ProbeInput>()
             .need("name", &ProbeInput::name, {"", {}, "Its name in the history.", "\"center\""})
             .need("node_at", &ProbeInput::node_at, {"m", {}, "The node nearest to this point is taken.", "[0, 0, 0]"})
             .need("quantities", &ProbeInput::quantities, {"", {}, "What is written.", "[\"displacement\", \"velocity\"]"})
-            .need("every", &ProbeInput::every, {"s", above(0), "Interval of the history.", "\"10 us\""})
+            .row("every", &ProbeInput::every,
+                 {"s", above(0), "Interval of the history; a thousandth of the end time if not given.", "\"10 us\""})
             .row("reference", &ProbeInput::reference,
                  {"", {}, "A value to compare with.", "{ value = \"-47 mm\", label = \"experiment\" }"})
             .table();
@@ -73,11 +74,20 @@ const Table& table_of<GaugeInput>()
         TableBuilder<GaugeInput>("gauge", "Where gas or load is measured: pressure and impulse, written to history.csv.")
             .need("name", &GaugeInput::name, {"", {}, "Its name in the history.", "\"wall\""})
             .row("facets", &GaugeInput::facets, {"", {}, "All facets of a part.", "\"plate\""})
+            .row("point", &GaugeInput::point,
+                 {"m",
+                  {},
+                  "Gas at a point: of particles in a ball of three spacings of the undisturbed gas about it, of a grid in the cell around "
+                  "it.",
+                  "[0, 0, \"300 mm\"]"})
             .row("sphere", &GaugeInput::sphere, {"", {}, "Gas in a ball.", "{ center = [0, 0, \"300 mm\"], radius = \"30 mm\" }"})
             .row("box", &GaugeInput::box, {"m", {}, "Gas in a box.", "[[0, 0.1], [0, 0.1], [0, 0.1]]"})
             .row("face", &GaugeInput::face, {"", {}, "A rigid face of the gas box.", "\"z-\""})
-            .need("every", &GaugeInput::every, {"s", above(0), "Interval of the history; pressures are means over it.", "\"5 us\""})
-            .one_of({"facets", "sphere", "box", "face"})
+            .row("every", &GaugeInput::every,
+                 {"s", above(0),
+                  "Interval of the history; pressures on facets and faces are means over it. A thousandth of the end time if not given.",
+                  "\"5 us\""})
+            .one_of({"facets", "point", "sphere", "box", "face"})
             .table();
     return table;
 }

@@ -26,7 +26,7 @@ struct ProbeInput {
     std::string name;
     Vector3d node_at;  ///< [m]
     std::vector<ProbeQuantity> quantities;
-    double every = 0;  ///< [s]
+    std::optional<double> every;  ///< [s]
     std::optional<ReferenceInput> reference;
     Places places;
 };
@@ -42,12 +42,19 @@ enum class FaceInput { x_lower, x_upper, y_lower, y_upper, z_lower, z_upper };
 struct GaugeInput {
     std::string name;
     std::optional<std::string> facets;
+    std::optional<Vector3d> point;  ///< [m]
     std::optional<GaugeSphereInput> sphere;
     std::optional<BoxRanges> box;
     std::optional<FaceInput> face;
-    double every = 0;  ///< [s]
+    std::optional<double> every;  ///< [s]
     Places places;
 };
+
+/// Interval of a probe or gauge: its own, or a thousandth of the run. [s]
+[[nodiscard]] inline double interval_of(const std::optional<double>& every, double end_time)
+{
+    return every.value_or(end_time / 1000);
+}
 
 struct OutputInput {
     std::optional<double> fields_every;    ///< [s]

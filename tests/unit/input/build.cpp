@@ -6,7 +6,9 @@
 
 #include <gmock/gmock.h>
 
+#include "base/error.hpp"
 #include "input/case/read_case.hpp"
+#include "input/gas_states.hpp"
 #include "input/memory.hpp"
 #include "input/presets.hpp"
 #include "mesh/generators.hpp"
@@ -109,6 +111,50 @@ TEST(Build, AChargeMayHaveAShapeOfItsOwn)
     EXPECT_NEAR(survey.gas->masses.back(), 1630 * std::numbers::pi * 0.01 * 0.2 / 4, 1e-6);
 }
 
+/// By radius, by mass, by both for a cylinder: the explosive's density joins them.
+TEST(Build, AChargesFormMayHaveItsRadius)
+{
+    const auto volume = [](CaseDescription description) { return survey_case(description).gas->charge_shapes[0].volume(); };
+    CaseDescription description = plate({"charge.0.radius=100 mm", "gas.edges.x=[\"rigid\", \"rigid\"]"});
+    EXPECT_THAT(refusal(description), HasSubstr("both a mass and a radius"));
+    description.charges[0].shape.form = ChargeForm::cylinder;
+    EXPECT_NEAR(volume(description) * 1630, 15, 1e-9);
+    EXPECT_NEAR(survey_case(description).gas->charge_shapes[0].bounds().size().x, 0.2, 1e-12);
+    description.charges[0].mass.reset();
+    EXPECT_NEAR(volume(description), std::numbers::pi * 0.01 * 0.2, 1e-12);  // as long as wide
+    description.charges[0].shape.form = ChargeForm::sphere;
+    EXPECT_NEAR(volume(description), 4 * std::numbers::pi / 3 * 1e-3, 1e-12);
+    description.charges[0].shape.form = ChargeForm::hemisphere;
+    EXPECT_NEAR(volume(description), 2 * std::numbers::pi / 3 * 1e-3, 1e-12);
+    description.charges[0].radius.reset();
+    EXPECT_THAT(refusal(description), HasSubstr("neither mass nor radius"));
+    description.charges[0].radius = 0.1;
+    description.charges[0].center.reset();
+    EXPECT_THAT(refusal(description), HasSubstr("no center"));
+}
+
+/// The ball of a gauge at a point has three spacings of the ambient gas, of a vacuum those of all particles spread over the box.
+TEST(Build, AGaugeAtAPointSeesABall)
+{
+    CaseDescription description = plate();
+    GaugeInput gauge;
+    gauge.name = "g";
+    gauge.point = Vector3d{0.3, 0.3, 0.3};
+    description.gauges = {gauge};
+    const auto model = build(description);
+    const AmbientGas& air = model->gas.ambient;
+    const double radius = 3 * std::cbrt(model->gas.species[air.species].particle_mass / air.density);
+    const RegionGauge& ball = std::get<RegionGauge>(model->gauges[0].place);
+    EXPECT_NEAR(ball.volume, 4 * std::numbers::pi / 3 * std::pow(radius, 3), 1e-9 * ball.volume);
+    EXPECT_DOUBLE_EQ(model->gauges[0].every, 3e-6);  // a thousandth of the run
+    description.gas->fill.reset();
+    const auto empty = build(description);
+    const double room = empty->gas.domain.box.volume() / static_cast<double>(empty->gas.particles.size());
+    EXPECT_NEAR(std::get<RegionGauge>(empty->gauges[0].place).shape.bounds().size().x, 6 * std::cbrt(room), 1e-9);
+    description.gauges[0].point = Vector3d{0.3, 0.3, 9};
+    EXPECT_THAT(refusal(description), HasSubstr("outside the gas box"));
+}
+
 TEST(Build, ParticlesOfEitherKind)
 {
     const CaseSurvey survey = survey_case(plate({"gas.particles={ products = 3000, air = 1000 }"}));
@@ -146,6 +192,64 @@ velocity = [3, 0, 0]
     for (const Particle& particle : model->gas.particles)
         momentum += model->gas.species[particle_tag::species(particle.tag)].particle_mass * static_cast<double>(particle.velocity.x);
     EXPECT_NEAR(momentum, 3 * 0.005, 1e-6);
+}
+
+FillInput fill_of(std::optional<double> density, std::optional<double> pressure, std::optional<double> temperature = {},
+                  std::optional<double> energy_density = {})
+{
+    FillInput fill;
+    GasValues nitrogen;
+    nitrogen.name = "nitrogen";
+    nitrogen.gamma = 1.4;
+    nitrogen.density = 1.2;
+    nitrogen.pressure = 1e5;
+    nitrogen.molar_mass = 0.028;
+    fill.gas.values = nitrogen;
+    fill.density = density;
+    fill.pressure = pressure;
+    fill.temperature = temperature;
+    fill.energy_density = energy_density;
+    return fill;
+}
+
+/// A fill's state from each pair that gives it, with R T/M of nitrogen at 300 K: the same gas each time; with none its usual state.
+TEST(Build, AFillIsGivenByTwoOfItsState)
+{
+    const double thermal = 8.31446261815324 * 300 / 0.028, p = 2e7, rho = p / thermal, e = thermal / 0.4;
+    for (const FillInput& fill : {fill_of(rho, p), fill_of(rho, {}, 300), fill_of({}, p, 300), fill_of(rho, {}, {}, rho * e)}) {
+        const GasState state = state_of(fill);
+        EXPECT_NEAR(state.density, rho, 1e-12 * rho);
+        EXPECT_NEAR(state.pressure, p, 1e-12 * p);
+        EXPECT_NEAR(state.energy_per_mass, e, 1e-12 * e);
+    }
+    const GasState usual = state_of(fill_of({}, {}));
+    EXPECT_EQ(usual.density, 1.2);
+    EXPECT_EQ(usual.pressure, 1e5);
+    for (const FillInput& fill : {fill_of(rho, {}), fill_of({}, p), fill_of({}, p, {}, 1e6), fill_of(rho, p, 300)})
+        EXPECT_THROW(static_cast<void>(state_of(fill)), InputError);
+}
+
+/// Noble-Abel: p (1/rho - b) = R T/M.
+TEST(Build, PressureAndTemperatureGiveTheDensityOfADenseGas)
+{
+    const double thermal = 8.31446261815324 * 300 / 0.028, p = 2e8;
+    FillInput fill = fill_of({}, p, 300);
+    fill.gas.values->co_volume = 0.5;
+    fill.gas.values->reference_density = 1000;
+    const GasState state = state_of(fill);
+    EXPECT_NEAR(state.density, p / (thermal + p * 0.5 / 1000), 1e-9);
+    EXPECT_NEAR(state.pressure, p, 1e-9 * p);
+    fill.gas.values->reference_density.reset();
+    fill.gas.values->density.reset();
+    EXPECT_THROW(static_cast<void>(state_of(fill)), InputError);  // a share of what?
+}
+
+/// 1.667 is how people write 5/3.
+TEST(Build, AGasOfSingleAtomsMayBeRounded)
+{
+    FillInput fill = fill_of(0.2, 1e5);
+    fill.gas.values->gamma = 1.667;
+    EXPECT_EQ(heat_capacity_ratio(state_of(fill).law), 5.0 / 3);
 }
 
 TEST(Build, ConwepAloneNeedsNoGas)

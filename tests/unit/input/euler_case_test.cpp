@@ -133,6 +133,8 @@ TEST(EulerCase, GaugesFindTheirCells)
     const auto& point = std::get<GridRegionGauge>(small->gauges[0].place);
     ASSERT_THAT(point.cells, SizeIs(1));
     EXPECT_EQ(point.cells[0], small->euler.cell(10, 20, 0));
+    const auto same = build(grid_case(ring_grid, gauge("point = [0.06, 0.08, 0.203]")));
+    EXPECT_EQ(std::get<GridRegionGauge>(same->gauges[0].place).cells, point.cells);
     const auto floor = build(grid_case(ring_grid, gauge("face = \"z-\"")));
     EXPECT_EQ(std::get<GridFaceGauge>(floor->gauges[0].place).face, 2);
     EXPECT_NEAR(face_area(floor->euler, 2), std::numbers::pi * 0.16, 1e-12);

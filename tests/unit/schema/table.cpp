@@ -145,6 +145,13 @@ TEST(Table, UnknownKeyNamesTheNearest)
     EXPECT_THAT(read.said(), HasSubstr("sample:7:1: unknown key 'colur' in 'sample'; did you mean 'colour'?"));
 }
 
+TEST(Table, UnknownKeyOfAnInnerTableNamesTheWay)
+{
+    const Reading read(with("length", number(1)));
+    EXPECT_THAT(read.said(),
+                HasSubstr("unknown key 'length' in 'sample'; did you mean inner = [{ length = ... }] or single = { length = ... }?"));
+}
+
 TEST(Table, MissingKeyIsNamedWithAnExample)
 {
     Value value;

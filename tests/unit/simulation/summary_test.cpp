@@ -177,6 +177,19 @@ TEST(SummaryHistory, FindsTheErrorsOfPeakAndImpulse)
     EXPECT_EQ(summary.gauges.at("g").impulse_error, 3);
 }
 
+/// A sample above 5 % of the greatest rise is no arrival while it is within four errors of still gas, whose squared error is that of a
+/// sample over the ratio of their pressures; where nothing rises above them, there is none.
+TEST(SummaryHistory, TellsArrivalFromNoise)
+{
+    const HistoryTable history{{{"g.pressure", "Pa"}, {"g.pressure_error", "Pa"}, {"noise.pressure", "Pa"}, {"noise.pressure_error", "Pa"}},
+                               {1, 2, 3, 4, 5},
+                               {{100, 130, 100, 400, 300}, {10, 11, 10, 140, 120}, {100, 130, 90, 120, 100}, {10, 11, 9, 11, 10}}};
+    RunSummary summary;
+    add_gauges(summary, history, {"g", "noise"});
+    EXPECT_EQ(summary.gauges.at("g").arrival, 4);  // 300 above, four times 140/sqrt(4) is 280; 30 at time 2 is below 38.6
+    EXPECT_TRUE(std::isnan(summary.gauges.at("noise").arrival));
+}
+
 TEST(SummaryHistory, NamesTheColumnsThatGoTogether)
 {
     EXPECT_EQ(companion("wall.pressure", "error"), "wall.pressure_error");
