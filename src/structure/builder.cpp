@@ -47,13 +47,15 @@ void check_shapes(const PartDescription& d)
                 refuse(d, place + " is a surface element, and the part is solid",
                        "mesh the volume with hexahedra or tetrahedra, or make the part of shells");
             if (shape != first)
-                refuse(d, place + " is of another shape than those before it", "make one part of the hexahedra and one of the tetrahedra");
+                refuse(d, place + " is of another shape than those before it",
+                       "mesh the part with hexahedra alone or with tetrahedra alone (two parts would not hold together)");
             continue;
         }
         if (is_solid(shape) && d.element != ElementKind::rigid)
             refuse(d, place + " is a solid", "shells are made of surface elements: mesh the surface, or make the part solid");
         if (is_solid(shape) != is_solid(first))
-            refuse(d, place + " is of another kind than those before it", "make one part of the solids and one of the surface elements");
+            refuse(d, place + " is of another kind than those before it",
+                   "make one part of the solids and one of the surface elements (two parts do not hold together)");
     }
 }
 
@@ -270,14 +272,32 @@ void add_masses(Nodes& nodes, const Elements& elements)
         elements);
 }
 
-/// Frees the part's nodes where they have mass and are not held, and sets them moving.
-void release(Nodes& nodes, const Part& part, const Freedom& freedom, const Vector3d& velocity)
+/// The center of mass of the part's nodes. [m]
+Vector3d center_of_mass(const Nodes& nodes, const Part& part)
 {
+    Vector3d moment;
+    double mass = 0;
+    for (std::uint32_t node = part.first_node; node < part.first_node + part.node_count; ++node) {
+        moment += nodes.mass[node] * nodes.reference[node];
+        mass += nodes.mass[node];
+    }
+    return mass > 0 ? moment / mass : moment;
+}
+
+/// Frees the part's nodes where they have mass and are not held, and sets them moving and turning about the center of mass.
+void release(Nodes& nodes, const Part& part, const Freedom& freedom, const PartDescription& d)
+{
+    const Vector3d center = center_of_mass(nodes, part);
     for (std::uint32_t i = 0; i < part.node_count; ++i) {
         const std::uint32_t node = part.first_node + i;
-        if (nodes.mass[node] > 0) nodes.inverse_mass[node] = freedom.translation[i] / nodes.mass[node];
-        if (nodes.inertia[node] > 0) nodes.inverse_inertia[node] = freedom.rotation[i] / nodes.inertia[node];
-        if (nodes.mass[node] > 0) nodes.velocity[node] = scaled(freedom.translation[i], velocity);
+        if (nodes.mass[node] > 0) {
+            nodes.inverse_mass[node] = freedom.translation[i] / nodes.mass[node];
+            nodes.velocity[node] = scaled(freedom.translation[i], d.velocity + cross(d.spin, nodes.reference[node] - center));
+        }
+        if (nodes.inertia[node] > 0) {
+            nodes.inverse_inertia[node] = freedom.rotation[i] / nodes.inertia[node];
+            nodes.angular_velocity[node] = scaled(freedom.rotation[i], d.spin);
+        }
     }
 }
 
@@ -455,7 +475,7 @@ Part& add_part(Structure& structure, const PartDescription& d)
         for (const PointMass& extra : d.point_masses)
             for (const std::uint32_t node : extra.nodes)
                 structure.nodes.mass[part.first_node + node] += extra.mass / static_cast<double>(extra.nodes.size());
-        release(structure.nodes, part, freedom, d.velocity);
+        release(structure.nodes, part, freedom, d);
         set_starts(structure.nodes, part, freedom, d.starts);
     }
     add_drives(structure, part, d.drives);

@@ -82,7 +82,7 @@ struct PartDescription {
     std::vector<Hold> holds;
     std::vector<PointMass> point_masses;
     RigidMass rigid;    ///< of a rigid part
-    Vector3d spin;      ///< angular velocity at the start, of a rigid part that moves [rad/s]
+    Vector3d spin;      ///< angular velocity at the start, about the center of mass [rad/s]
     Vector3d velocity;  ///< at the start, where not held [m/s]
     std::vector<StartVelocity> starts;
     std::vector<Drive> drives;  ///< prescribed motions, of nodes of the mesh

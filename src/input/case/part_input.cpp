@@ -323,7 +323,7 @@ const Table& table_of<PartInput>()
                  {"", {}, "Motions its nodes are made to follow.", "[{ where = \"x=0\", dof = \"x\", velocity = \"10 m/s\" }]"})
             .row("point_masses", &PartInput::point_masses,
                  {"", {}, "Mass besides that of the elements.", "[{ where = \"end\", mass = \"2 kg\" }]"})
-            .row("spin", &PartInput::spin, {"rad/s", {}, "Angular velocity at the start, of a rigid part that moves.", "[0, 0, 100]"})
+            .row("spin", &PartInput::spin, {"rad/s", {}, "Angular velocity at the start, about the part's center of mass.", "[0, 0, 100]"})
             .row("velocity", &PartInput::velocity, {"m/s", {}, "Velocity at the start.", "[0, 0, 10]"})
             .row("start", &PartInput::start,
                  {"", {}, "Velocities at the start of some of its nodes.", "[{ where = \"end\", velocity = [0, 0, 10] }]"})

@@ -160,7 +160,7 @@ struct PartInput {
     std::vector<PointMassInput> point_masses;
     std::vector<StartInput> start;
     Vector3d velocity;  ///< at the start [m/s]
-    Vector3d spin;      ///< at the start, of a rigid part that moves [rad/s]
+    Vector3d spin;      ///< at the start, about the center of mass [rad/s]
     Places places;
 };
 

@@ -146,5 +146,29 @@ TEST(Builder, QuadrilateralsAreCutAlongTheShorterDiagonal)
     EXPECT_EQ(structure.surface.facets[1].node, (std::array<std::uint32_t, 3>{1, 2, 3}));
 }
 
+TEST(Builder, APartThatDeformsTurnsAboutItsCenterOfMassWhereItIsFree)
+{
+    PartDescription d = good();  // 0.2 m square
+    const Vector3d spin{1, 2, 30}, velocity{4, 5, 6};
+    d.spin = spin;
+    d.velocity = velocity;
+    d.holds = {pin({0})};
+    Structure structure;
+    add_part(structure, d);
+    const Nodes& nodes = structure.nodes;
+    Vector3d center;  // of equal squares: corners carry a quarter, edges a half of the middle's mass
+    double mass = 0;
+    for (std::size_t n = 0; n < nodes.size(); ++n) {
+        center += nodes.mass[n] * nodes.reference[n];
+        mass += nodes.mass[n];
+    }
+    center = center / mass;
+    for (std::size_t n = 0; n < nodes.size(); ++n) {
+        const Vector3d expected = n == 0 ? Vector3d{} : velocity + cross(spin, nodes.reference[n] - center);
+        EXPECT_NEAR(norm_squared(nodes.velocity[n] - expected), 0, 1e-24) << n;
+        EXPECT_EQ(nodes.angular_velocity[n], spin) << n;
+    }
+}
+
 }  // namespace
 }  // namespace corpuscle
