@@ -16,11 +16,21 @@ namespace {
 
 constexpr std::uint64_t chunk_bytes = std::uint64_t{1} << 20U;
 
+/// What the system says went wrong, out of a long message of the library; the whole message where the system says nothing.
+std::string system_message(const std::string& message)
+{
+    const std::string mark = "error message = '";
+    const std::size_t begin = message.find(mark);
+    if (begin == std::string::npos) return message;
+    const std::size_t from = begin + mark.size();
+    return message.substr(from, message.find('\'', from) - from);
+}
+
 /// Keeps the innermost message of the library's error stack.
 herr_t keep_first(unsigned, const H5E_error2_t* entry, void* text)
 {
     auto& kept = *static_cast<std::string*>(text);
-    if (kept.empty() && entry->desc != nullptr) kept = entry->desc;
+    if (kept.empty() && entry->desc != nullptr) kept = system_message(entry->desc);
     return 0;
 }
 
@@ -80,9 +90,11 @@ Hdf5Type stored_type(hid_t type, const std::string& name, const std::filesystem:
     throw Error(fmt::format("'{}' in '{}' has a type that is never written here", name, path.string()), "is it a file of this program?");
 }
 
-/// No messages on the terminal; no locks, since files are read only when finished (some network file systems cannot lock).
+/// No messages on the terminal; no locks, since files are read only when finished (some network file systems cannot lock); no work of the
+/// library's own at the program's end, where it would close once more a file that a full disk kept it from closing, and crash.
 Handle access_properties()
 {
+    [[maybe_unused]] static const herr_t left_alone = H5dont_atexit();
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
     const hid_t properties = H5Pcreate(H5P_FILE_ACCESS);
     H5Pset_file_locking(properties, 0, 1);

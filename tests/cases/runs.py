@@ -2,6 +2,8 @@
 
 import json
 import os
+import re
+import resource
 import signal
 import subprocess
 import sys
@@ -114,6 +116,19 @@ def check_safety(folder):
     assert any((folder / "torn/restart").iterdir())
 
 
+def check_full_disk(folder):
+    """Where files can grow no further (a disk that is full behaves the same) a run ends with what happened and a remedy, and no crash."""
+
+    def no_larger():
+        resource.setrlimit(resource.RLIMIT_FSIZE, (40_000, 40_000))
+
+    words = [str(PROGRAM), "run", "case.toml", "--out", "full", "--quiet", "--set", "gas.particles=20_000"]
+    done = subprocess.run(words, cwd=folder, capture_output=True, text=True, timeout=300, check=False, preexec_fn=no_larger, restore_signals=False)
+    assert done.returncode == 2, (done.returncode, done.stderr)
+    assert re.search(r"full/.*: File too large; .*disk not full", done.stderr), done.stderr
+    assert "errno" not in done.stderr and len(done.stderr.splitlines()) == 1, done.stderr
+
+
 def check_going_further(folder):
     """A run that is done goes on to a later end; what its state was made with stays as it is, and so does the folder when that is asked for."""
     before, files = history_rows(folder / "t2"), contents(folder / "t2")
@@ -136,7 +151,7 @@ def check_report(folder):
 
 
 def main():
-    return run_checks(CASE, [check_run, check_refusal_and_force, check_resolved, check_threads, check_interrupt, check_hard_spheres, check_safety, check_going_further, check_report])
+    return run_checks(CASE, [check_run, check_refusal_and_force, check_resolved, check_threads, check_interrupt, check_hard_spheres, check_safety, check_full_disk, check_going_further, check_report])
 
 
 if __name__ == "__main__":
