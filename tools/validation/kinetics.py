@@ -75,8 +75,8 @@ def expansion(rows):
     lines = []
     for name in names:
         own = [row for row in rows if row["law"] == name]
-        lines.append([name] + [f"{2 * row['slow'] - row['fast']:.4f}" for row in own] + [f"{own[-1]['slow']:.4f}", f"{own[-1]['fast']:.4f}"])
-    head = ["law"] + [f"V/V0 {goal:g}" for goal in goals] + ["100, walls at M 0.025", "100, M 0.05"]
+        lines.append([name] + [f"{2 * row['slower'] - row['slow']:.4f}" for row in own] + [f"{own[-1][key]:.4f}" for key in ("slower", "slow", "fast")])
+    head = ["law"] + [f"V/V0 {goal:g}" for goal in goals] + ["100, walls at M 0.0125", "100, M 0.025", "100, M 0.05"]
     return "Slow expansion of a closed box, energy over the isentrope's, walls' speed taken to nothing:\n\n" + table(head, lines)
 
 

@@ -79,7 +79,7 @@ void escapes()
     }
 }
 
-/// Slow expansion along the isentrope; a line each moment, at two speeds of the walls.
+/// Slow expansion along the isentrope; a line each moment, at three speeds of the walls.
 void expansions()
 {
     const auto follow = [](const char* name, const EquationOfState& law, double density, double energy) {
@@ -87,11 +87,13 @@ void expansions()
         const std::vector<Expanded> fast = expand(set);
         set.mach /= 2;
         const std::vector<Expanded> slow = expand(set);
+        set.mach /= 2;
+        const std::vector<Expanded> slower = expand(set);
         for (std::size_t i = 0; i < slow.size(); ++i)
-            std::printf(R"({"law": "%s", "volume": %.3f, "isentrope": %.5f, "fast": %.5f, "slow": %.5f})"
+            std::printf(R"({"law": "%s", "volume": %.3f, "isentrope": %.5f, "fast": %.5f, "slow": %.5f, "slower": %.5f})"
                         "\n",
                         name, slow[i].volume_ratio, slow[i].isentrope, fast[i].energy / fast[i].isentrope,
-                        slow[i].energy / slow[i].isentrope);
+                        slow[i].energy / slow[i].isentrope, slower[i].energy / slower[i].isentrope);
         std::fflush(stdout);
     };
     follow("ideal, gamma 1.4", IdealGas{1.4}, 1, 1);

@@ -20,7 +20,7 @@ TEST(Relaxation, both_temperatures_come_to_6040_kelvin)
 
 /// The rate per collision against its derivation (relaxation_rate), 4 sigma. That takes the velocities for Maxwellian, which those of
 /// particles that exchange are not: of the particles' collisions a share 1/Z shifts them, so the rest is of the order of 1/Z of the rate
-/// (7 % measured at Z = 1, see docs/validation.md), and large Z is taken here.
+/// (4 % measured at Z = 1, see docs/validation.md), and large Z is taken here.
 TEST(Relaxation, rate_is_that_of_borgnakke_and_larsen)
 {
     for (const double gamma : {1.4, 1.3}) {
