@@ -84,7 +84,7 @@ def check_quality(folder):
 
 
 def check_refusals(folder):
-    mistakes = [("plate.inp", "S4R", "S8R", "S8R are of second order"), ("plate.inp", "*NSET, NSET=edge", "*NGEN", "*NGEN is not read"),
+    mistakes = [("plate.inp", "S4R", "S8R", "S8R are of second order"), ("plate.inp", "*NSET, NSET=edge", "*NMAP", "*NMAP is not read"),
                 ("plate.k", "*ELEMENT_SHELL", "*ELEMENT_TSHELL", "*ELEMENT_TSHELL are not computed"), ("plate.k", "     501", "     5O1", "'5O1' is not a whole number"),
                 ("plate.msh", "hull", "shell", "the mesh has no group 'hull'"), ("plate.k", "edge", "rim", "no set of nodes 'edge'")]
     for name, old, new, answer in mistakes:

@@ -5,32 +5,37 @@
 #include <limits>
 #include <map>
 #include <numbers>
+#include <optional>
 #include <set>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "input/meshes/abaqus_makers.hpp"
 #include "input/meshes/abaqus_words.hpp"
+#include "input/meshes/affine_map.hpp"
 #include "input/meshes/numbered_mesh.hpp"
 
 namespace corpuscle {
 
 namespace {
 
-/// Where an instance of a part is put: moved, then turned about a line. [m], [rad]
-struct Placing {
-    Vector3d shift;
-    Vector3d from, axis;
-    double angle = 0;
+/// Coordinates of a node as *NODE, SYSTEM= says: rectangular (R), or radius, angle [degrees] and height (C).
+Vector3d rectangular(const Vector3d& at, bool cylindrical)
+{
+    const double angle = at.y * std::numbers::pi / 180;
+    return cylindrical ? Vector3d{at.x * std::cos(angle), at.x * std::sin(angle), at.z} : at;
+}
 
-    [[nodiscard]] Vector3d operator()(const Vector3d& place) const
-    {
-        const Vector3d at = place + shift;
-        if (angle == 0) return at;
-        const Vector3d n = normalized(axis), arm = at - from;
-        return from + std::cos(angle) * arm + std::sin(angle) * cross(n, arm) + (1 - std::cos(angle)) * dot(n, arm) * n;
-    }
-};
+/// What a side of a surface is: a face of solids from 1 on (S1, ...), 0 for a side of shells (SPOS, SNEG), the free faces if it is not
+/// said, none for what is no side.
+std::optional<int> face_of(const std::string& side)
+{
+    if (side.empty()) return SetMember::free_faces;
+    if (side == "SPOS" || side == "SNEG") return 0;
+    if (side.size() == 2 && side[0] == 'S' && side[1] >= '1' && side[1] <= '6') return side[1] - '0';
+    return std::nullopt;
+}
 
 class AbaqusReader {
 public:
@@ -38,14 +43,13 @@ public:
 
     Mesh read()
     {
-        while (lines_.next()) {
-            const std::string_view text = trimmed_field(lines_.text());
-            if (text.empty() || text.starts_with("**")) continue;
-            if (text.starts_with('*'))
+        while (next_abaqus_line(lines_)) {
+            if (trimmed_field(lines_.text()).starts_with('*'))
                 begin(abaqus_keyword(lines_));
             else if (data_ != nullptr)
                 (this->*data_)();
         }
+        maker_.finish();
         if (in_part_ || in_instance_)
             lines_.fail("the file ends within a part or an instance", "the file may be cut short: export it again");
         Mesh mesh = root_.mesh(lines_, [](std::int64_t number) { return number % NumberedMesh::numbers; });
@@ -66,8 +70,15 @@ private:
             {"NSET", &AbaqusReader::begin_set},          {"ELSET", &AbaqusReader::begin_set},
             {"PART", &AbaqusReader::begin_part},         {"END PART", &AbaqusReader::end_part},
             {"INSTANCE", &AbaqusReader::begin_instance}, {"END INSTANCE", &AbaqusReader::end_instance},
-            {"INCLUDE", &AbaqusReader::include}};
+            {"SYSTEM", &AbaqusReader::begin_system},     {"SURFACE", &AbaqusReader::begin_surface}};
+        if (keyword.name == "INCLUDE") return include(keyword);  // what is read goes on in the other file
+        maker_.finish();
         data_ = nullptr;
+        if (AbaqusMaker::knows(keyword.name)) {
+            maker_.begin(keyword, current());
+            data_ = &AbaqusReader::read_made;
+            return;
+        }
         const auto found = known.find(keyword.name);
         if (found != known.end()) return (this->*found->second)(keyword);
         if (const char* why = abaqus_refusal(keyword.name))
@@ -85,10 +96,20 @@ private:
 
     void begin_nodes(const AbaqusKeyword& keyword)
     {
-        if (keyword.has("SYSTEM") && in_capitals(keyword.of("SYSTEM")) != "R")
-            lines_.fail("nodes in a system of their own are not read", "write the nodes in rectangular coordinates");
+        const std::string system = in_capitals(keyword.of("SYSTEM"));
+        if (!system.empty() && system != "R" && system != "C")
+            lines_.fail(fmt::format("nodes in a system '{}' are not read", system),
+                        "write the nodes in rectangular or cylindrical coordinates");
+        cylindrical_ = system == "C";
         set_ = keyword.has("NSET") ? &current().node_set(in_capitals(keyword.of("NSET")), keyword.of("NSET")) : nullptr;
         data_ = &AbaqusReader::read_node;
+        read_input(keyword);
+    }
+
+    /// Goes on in the file that has the data lines, if one is named.
+    void read_input(const AbaqusKeyword& keyword)
+    {
+        if (!keyword.of("INPUT").empty()) lines_.include(keyword.of("INPUT"));
     }
 
     void read_node()
@@ -98,16 +119,98 @@ private:
         Vector3d at;
         for (std::size_t i = 1; i < std::min<std::size_t>(fields.size(), 4); ++i)
             at[static_cast<int>(i) - 1] = real_field(lines_, fields[i], "a coordinate");
-        current().add_node({node, at, lines_.place()});
+        current().add_node({node, system_(rectangular(at, cylindrical_)), lines_.place()});
         if (set_ != nullptr) set_->members.push_back({node, node, 1, "", false, lines_.place()});
     }
 
     void begin_elements(const AbaqusKeyword& keyword)
     {
         kind_ = abaqus_element(lines_, keyword.of("TYPE"));
-        if (!kind_.shape) ++left_out_[in_capitals(keyword.of("TYPE"))];
+        type_ = in_capitals(keyword.of("TYPE"));
         set_ = keyword.has("ELSET") ? &current().element_set(in_capitals(keyword.of("ELSET")), keyword.of("ELSET")) : nullptr;
-        data_ = &AbaqusReader::read_element;
+        data_ = kind_.shape ? &AbaqusReader::read_element : &AbaqusReader::read_line_or_point;
+        read_input(keyword);
+    }
+
+    /// What has no shape: its nodes, as many as there are, stay in the sets.
+    void read_line_or_point()
+    {
+        NumberedMesh::Element element;
+        element.place = lines_.place();
+        bool first = true;
+        for (bool more = true; more;) {
+            for (const std::string_view field : comma_fields(lines_.text())) {
+                if (first) element.number = number(field, "the number of an element");
+                if (!first && !field.empty() && element.corners < 8)
+                    element.node[element.corners++] = number(field, "the number of a node");
+                first = false;
+            }
+            more = trimmed_field(lines_.text()).ends_with(',') && next_abaqus_line(lines_);
+        }
+        current().add_element(element);
+        if (set_ != nullptr) set_->members.push_back({element.number, element.number, 1, "", false, element.place, 0});
+        ++left_out_[type_];
+    }
+
+    void read_made() { maker_.read(); }
+
+    /// *SYSTEM: origin and a point on the x axis on a first line, one in the plane of x and y on a second; of the nodes that follow.
+    void begin_system(const AbaqusKeyword&)
+    {
+        system_ = {};
+        system_points_.clear();
+        data_ = &AbaqusReader::read_system;
+    }
+
+    void read_system()
+    {
+        for (const std::string_view field : comma_fields(lines_.text()))
+            system_points_.push_back(real_field(lines_, field, "a coordinate"));
+        std::vector<double> v = system_points_;
+        v.resize(9);
+        const Vector3d origin{v[0], v[1], v[2]}, x = Vector3d{v[3], v[4], v[5]} - origin;
+        system_ = moved_by(origin);
+        if (system_points_.size() <= 3) return;
+        const Vector3d in_plane = system_points_.size() > 6 ? Vector3d{v[6], v[7], v[8]} - origin : cross({0, 0, 1}, x);
+        const Vector3d z = cross(x, in_plane);
+        if (!(norm(z) > 0))
+            lines_.fail("the points of the system lie on each other or on a line", "give an origin and two points that differ");
+        system_ = {normalized(x), cross(normalized(z), normalized(x)), normalized(z), origin};
+    }
+
+    /// *SURFACE: sides of elements, or nodes; kept as a set of nodes.
+    void begin_surface(const AbaqusKeyword& keyword)
+    {
+        const std::string& name = keyword.of("NAME");
+        const std::string type = keyword.has("TYPE") ? in_capitals(keyword.of("TYPE")) : "ELEMENT";
+        if (name.empty() || (type != "ELEMENT" && type != "NODE") || keyword.has("COMBINE")) {
+            passed_.insert("*SURFACE of other types");
+            return;
+        }
+        set_ = &current().surface(in_capitals(name), name);
+        set_instance_.clear();
+        data_ = type == "NODE" ? &AbaqusReader::read_node_surface : &AbaqusReader::read_side;
+    }
+
+    void read_node_surface()
+    {
+        if (const auto fields = comma_fields(lines_.text()); !fields[0].empty()) set_->members.push_back(member_of(fields[0]));
+    }
+
+    /// A set of elements, or an element, and its side. One of all free faces (no side of solids) is not known before the end: it is not
+    /// kept.
+    void read_side()
+    {
+        const auto fields = comma_fields(lines_.text());
+        const auto face = face_of(fields.size() > 1 ? in_capitals(fields[1]) : "");
+        if (!face || fields[0].empty()) {
+            passed_.insert("sides of *SURFACE other than SPOS, SNEG, S1 to S6");
+            return;
+        }
+        SetMember member = member_of(fields[0]);
+        member.elements = true;
+        member.face = *face;
+        set_->members.push_back(member);
     }
 
     /// An element's numbers: its own and its nodes'; a line that ends in a comma goes on in the next.
@@ -119,7 +222,7 @@ private:
         while (more && numbers.size() < static_cast<std::size_t>(kind_.corners) + 1) {
             for (const std::string_view field : comma_fields(lines_.text())) numbers.push_back(number(field, "the number of a node"));
             more = numbers.size() < static_cast<std::size_t>(kind_.corners) + 1 && trimmed_field(lines_.text()).ends_with(',') &&
-                   lines_.next();
+                   next_abaqus_line(lines_);
         }
         if (numbers.size() != static_cast<std::size_t>(kind_.corners) + 1)
             lines_.fail_at(place, fmt::format("an element of this type has {} nodes, {} are given", kind_.corners, numbers.size() - 1),
@@ -147,6 +250,7 @@ private:
         const std::string& name = keyword.of(keyword.name);
         if (name.empty()) lines_.fail("the set has no name", fmt::format("write *{0}, {0}=NAME", keyword.name));
         set_ = of_nodes_ ? &current().node_set(in_capitals(name), name) : &current().element_set(in_capitals(name), name);
+        set_->as_listed = keyword.has("UNSORTED");
         set_instance_ = in_capitals(keyword.of("INSTANCE"));
         if (!set_instance_.empty() && !instances_.contains(set_instance_))
             lines_.fail(fmt::format("there is no instance '{}'", keyword.of("INSTANCE")), "name an instance that stands before");
@@ -169,24 +273,27 @@ private:
         set_->members.push_back({first + shift, last + shift, step, "", false, lines_.place()});
     }
 
-    /// Numbers, or names of sets; in an assembly "instance.number" and "instance.set", too.
     void read_members()
     {
-        for (const std::string_view field : comma_fields(lines_.text())) {
-            if (field.empty()) continue;
-            const std::string key = in_capitals(field);
-            const std::size_t dot = key.rfind('.');
-            const std::string before = dot == std::string::npos ? "" : key.substr(0, dot);
-            const bool of_instance = instances_.contains(before);
-            const std::string_view own = of_instance ? field.substr(dot + 1) : field;
-            const bool is_number = !own.empty() && own.find_first_not_of("0123456789") == std::string_view::npos;
-            SetMember member{0, 0, 1, "", false, lines_.place()};
-            if (is_number)
-                member.first = member.last = number(own, "the number of a member") + shift_of(of_instance ? before : set_instance_);
-            else
-                member.set = set_instance_.empty() ? key : set_instance_ + "." + key;
-            set_->members.push_back(member);
-        }
+        for (const std::string_view field : comma_fields(lines_.text()))
+            if (!field.empty()) set_->members.push_back(member_of(field));
+    }
+
+    /// What a field means: a number, or the name of a set; in an assembly "instance.number" and "instance.set", too.
+    SetMember member_of(std::string_view field)
+    {
+        const std::string key = in_capitals(unquoted_name(field));
+        const std::size_t dot = key.rfind('.');
+        const std::string before = dot == std::string::npos ? "" : key.substr(0, dot);
+        const bool of_instance = instances_.contains(before);
+        const std::string own = of_instance ? key.substr(dot + 1) : key;
+        const bool is_number = !own.empty() && own.find_first_not_of("0123456789") == std::string::npos;
+        SetMember member{0, 0, 1, "", false, lines_.place(), 0};
+        if (is_number)
+            member.first = member.last = number(own, "the number of a member") + shift_of(of_instance ? before : set_instance_);
+        else
+            member.set = set_instance_.empty() ? key : set_instance_ + "." + key;
+        return member;
     }
 
     void begin_part(const AbaqusKeyword& keyword)
@@ -213,27 +320,25 @@ private:
                         "define the part before its instances");
         own_ = part.empty() ? NumberedMesh{} : parts_.at(part);
         in_instance_ = true;
-        placing_ = {};
-        placing_lines_ = 0;
+        placed_ = {};
         data_ = &AbaqusReader::read_placing;
     }
 
-    /// First line: how far the instance is moved; second: two points of the line it is turned about, and the angle in degrees.
+    /// A line of how far the instance is moved; one of two points of the line it is turned about, and the angle in degrees.
     void read_placing()
     {
         const auto fields = comma_fields(lines_.text());
-        std::array<double, 7> values{};
-        for (std::size_t i = 0; i < std::min(fields.size(), values.size()); ++i)
-            values[i] = real_field(lines_, fields[i], "where an instance is");
-        if (placing_lines_++ == 0) {
-            placing_.shift = {values[0], values[1], values[2]};
+        std::array<double, 7> v{};
+        for (std::size_t i = 0; i < std::min(fields.size(), v.size()); ++i) v[i] = real_field(lines_, fields[i], "where an instance is");
+        if (fields.size() <= 3) {
+            placed_ = moved_by({v[0], v[1], v[2]}).after(placed_);
             return;
         }
-        placing_.from = {values[0], values[1], values[2]};
-        placing_.axis = Vector3d{values[3], values[4], values[5]} - placing_.from;
-        placing_.angle = values[6] * std::numbers::pi / 180;
-        if (placing_.angle != 0 && !(norm(placing_.axis) > 0))
+        const Vector3d from{v[0], v[1], v[2]}, axis = Vector3d{v[3], v[4], v[5]} - from;
+        if (v[6] == 0) return;
+        if (!(norm(axis) > 0))
             lines_.fail("the line an instance is turned about has no direction", "give two points that differ, and the angle in degrees");
+        placed_ = turned_about(from, axis, v[6] * std::numbers::pi / 180).after(placed_);
     }
 
     void end_instance(const AbaqusKeyword&)
@@ -244,7 +349,7 @@ private:
         if (index >= std::numeric_limits<std::int64_t>::max() / NumberedMesh::numbers)
             lines_.fail("too many instances", "join some of them");
         instances_[in_capitals(instance_)] = index;
-        root_.add(own_, index * NumberedMesh::numbers, instance_, placing_);
+        root_.add(own_, index * NumberedMesh::numbers, instance_, placed_);
     }
 
     void include(const AbaqusKeyword& keyword)
@@ -255,9 +360,9 @@ private:
 
     void add_remarks(Mesh& mesh) const
     {
-        for (const auto& [type, blocks] : left_out_)
-            mesh.remarks.push_back(fmt::format("elements of type {} are not computed, only the sets of their nodes are kept{}", type,
-                                               type == "MASS" ? ": give their mass with point_masses" : ""));
+        for (const auto& [type, count] : left_out_)
+            mesh.remarks.push_back(fmt::format("{} elements of type {} are not computed, only the sets of their nodes are kept{}", count,
+                                               type, type == "MASS" ? ": give their mass with point_masses" : ""));
         if (!passed_.empty()) mesh.remarks.push_back(fmt::format("passed over: {}", fmt::join(passed_, ", ")));
     }
 
@@ -268,13 +373,17 @@ private:
     std::string part_, instance_;                    ///< that is read
     bool in_part_ = false, in_instance_ = false;
     NumberedMesh own_;  ///< of the instance that is read
-    Placing placing_;
-    int placing_lines_ = 0;
+    AffineMap placed_;
+    AbaqusMaker maker_{lines_};
+    AffineMap system_;                   ///< of nodes, as *SYSTEM says
+    std::vector<double> system_points_;  ///< that say it
+    bool cylindrical_ = false;
     Data data_ = nullptr;  ///< what reads the lines of the present keyword
     NumberedMesh::Set* set_ = nullptr;
     bool of_nodes_ = true;
     std::string set_instance_;
     AbaqusElement kind_;
+    std::string type_;
     std::map<std::string, int> left_out_;  ///< types of elements that are not kept
     std::set<std::string> passed_;         ///< keywords that were not read
 };

@@ -18,10 +18,16 @@ struct AbaqusKeyword {
     [[nodiscard]] const std::string& of(const std::string& option) const;  ///< empty if not given
 };
 
+/// A name without the quotes that may stand about it.
+[[nodiscard]] std::string unquoted_name(std::string_view text);
+
+/// Goes to the next line that is no comment and not blank; false behind the last.
+[[nodiscard]] bool next_abaqus_line(DeckLines& lines);
+
 /// The keyword of the present line, and of those it goes on in after a comma at its end.
 [[nodiscard]] AbaqusKeyword abaqus_keyword(DeckLines& lines);
 
-/// What a type of element is here: its shape, none for points and lines, which are only in sets.
+/// What a type of element is here: its shape, none for points, lines and springs, which are only in sets and have any number of nodes.
 struct AbaqusElement {
     std::optional<ElementShape> shape;
     int corners = 0;

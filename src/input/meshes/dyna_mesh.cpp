@@ -21,13 +21,6 @@ std::string part_name(std::int64_t part)
     return fmt::format("part_{}", part);
 }
 
-/// The corners of a solid seen in a mirror, so that its volume stays positive.
-std::array<std::int64_t, 8> mirrored_corners(const std::array<std::int64_t, 8>& node, int corners)
-{
-    if (corners == 4) return {node[0], node[2], node[1], node[3]};
-    return {node[0], node[3], node[2], node[1], node[4], node[7], node[6], node[5]};
-}
-
 bool is_whole_number(std::string_view field)
 {
     return !field.empty() && field.find_first_not_of("0123456789") == std::string_view::npos;
@@ -231,7 +224,7 @@ private:
                 cards_.lines().fail(fmt::format("element {} has ten nodes: it is of second order, which is not computed", own),
                                     "mesh with linear elements");
         NumberedMesh::Element element = solid_element(cards_.lines(), own, corners);
-        if (cards_.file().placed.determinant() < 0) element.node = mirrored_corners(element.node, element.corners);
+        if (cards_.file().placed.determinant() < 0) mirror(element);
         element.number += dyna_solid_numbers;
         add(element, part, own + dyna_solid_numbers);
     }

@@ -15,6 +15,7 @@ namespace corpuscle {
 
 namespace {
 
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";  // that editors put before text
 constexpr const char* export_again = "the file may be cut short or damaged: export it again";
 
 bool is_blank(char c)
@@ -39,7 +40,9 @@ Scanner Scanner::open(const std::string& file)
     if (stream) content << stream.rdbuf();
     if (!stream || content.str().empty())
         throw InputError("the mesh file cannot be read or is empty", "check its name and that it may be read", {file, 0, 0});
-    return {file, std::move(content).str()};
+    std::string text = std::move(content).str();
+    if (text.starts_with(byte_order_mark)) text.erase(0, byte_order_mark.size());
+    return {file, std::move(text)};
 }
 
 void Scanner::skip_blanks()
