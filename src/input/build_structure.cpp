@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "input/curves.hpp"
+#include "input/doubts.hpp"
 #include "input/make_material.hpp"
 #include "input/placed.hpp"
 #include "input/shapes.hpp"
@@ -198,6 +199,7 @@ PartDescription describe(const PartInput& part, const CaseDescription& descripti
     PartDescription built;
     built.name = part.name;
     built.place = part.places.own;
+    built.material_place = part.places.of("material");
     built.mesh = make_mesh(part, description);
     at_place(part.places.of("mesh"), [&] {
         for (const std::string& remark : built.mesh.remarks)
@@ -316,8 +318,10 @@ Structure build_structure(const CaseDescription& description, StructureNotes& no
         at_place(part.places.own, [&] { add_part(structure, described); });
         notes.parts.push_back(report_of(described.mesh, structure));
         warn_of_small_step(notes.parts.back(), notes.warnings);
+        warn_of_doubts(part, described, structure, notes.warnings);
         plan_loads(description, described.mesh, structure, notes.loads);
     }
+    warn_of_parts_outside(description, structure, notes.warnings);
     return structure;
 }
 

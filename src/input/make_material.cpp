@@ -10,22 +10,35 @@ namespace corpuscle {
 
 namespace {
 
+/// How a material is called in messages.
+std::string name_of(const MaterialValues& material)
+{
+    return material.name.empty() ? "unnamed" : material.name;
+}
+
+/// Refuses the constant C of Cowper and Symonds without its exponent p.
+void check_rate(const MaterialValues& material, double rate_c, double rate_p)
+{
+    if (rate_c > 0 && !(rate_p >= 1))
+        throw InputError(fmt::format("material '{}' has rate_c but rate_p = {}", name_of(material), rate_p),
+                         "expected rate_p >= 1 beside rate_c", material.places.own);
+}
+
 BilinearPlastic bilinear(const MaterialValues& material, const BilinearValues& b)
 {
-    if (b.rate_c > 0 && !(b.rate_p >= 1))
-        throw InputError(fmt::format("material '{}' has rate_c but rate_p = {}", material.name, b.rate_p),
-                         "expected rate_p >= 1 beside rate_c", material.places.own);
+    check_rate(material, b.rate_c, b.rate_p);
     return {b.yield_stress, b.hardening_modulus, b.rate_c, std::max(1.0, b.rate_p), b.kinematic};
 }
 
 CurvePlastic curve(const MaterialValues& material, const CurveValues& values)
 {
+    check_rate(material, values.rate_c, values.rate_p);
     CurvePlastic law;
     law.rate_constant = values.rate_c;
     law.rate_exponent = std::max(1.0, values.rate_p);
     for (const CurveLine& line : values.curves) {
         if (line.plastic_strain.size() != line.stress.size())
-            throw InputError(fmt::format("material '{}': a curve has {} plastic strains and {} stresses", material.name,
+            throw InputError(fmt::format("material '{}': a curve has {} plastic strains and {} stresses", name_of(material),
                                          line.plastic_strain.size(), line.stress.size()),
                              "expected one stress for each plastic strain", material.places.own);
         CurvePlastic::Curve& to = law.curves.emplace_back();
@@ -83,7 +96,7 @@ Strength strength_of(const MaterialValues& values)
 
 Material make_material(const MaterialValues& values)
 {
-    return {values.name, values.density, values.young_modulus, values.poisson_ratio, strength_of(values)};
+    return {name_of(values), values.density, values.young_modulus, values.poisson_ratio, strength_of(values)};
 }
 
 }  // namespace corpuscle

@@ -96,7 +96,8 @@ void check_material(const PartDescription& d)
     try {
         check(d.material);
     } catch (const InputError& e) {
-        refuse(d, e.problem(), e.remedy());
+        throw InputError(fmt::format("part '{}': {}", d.name, e.problem()), e.remedy(),
+                         d.material_place.known() ? d.material_place : d.place);
     }
     if (std::holds_alternative<Fabric>(d.material.strength) && d.element != ElementKind::membrane)
         refuse(d, fmt::format("material '{}' is a fabric, which does not bend", d.material.name), "make the part a membrane");

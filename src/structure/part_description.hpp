@@ -87,6 +87,7 @@ struct PartDescription {
     std::vector<StartVelocity> starts;
     std::vector<Drive> drives;  ///< prescribed motions, of nodes of the mesh
     Place place;                ///< where the part was read, for messages
+    Place material_place;       ///< where its material was, if that is known
 };
 
 }  // namespace corpuscle
