@@ -24,7 +24,7 @@ Format read_format(Scanner& scanner)
     scanner.line();
     if (format.version != "2.2" && format.version != "4.1")
         scanner.fail(fmt::format("gmsh format {} is not supported", format.version),
-                     "save as version 4.1 or 2.2 (in gmsh: Mesh.MshFileVersion = 4.1)");
+                     "save as version 4.1 or 2.2 (in gmsh: gmsh -0 FILE -format msh41 -o NEW, or Mesh.MshFileVersion = 4.1)");
     if (kind != 0 && kind != 1) scanner.fail("the format is neither text (0) nor binary (1)", "save the file again");
     if (size != 8) scanner.fail(fmt::format("numbers of {} bytes are not supported", size), "save on a 64-bit machine, or as text");
     format.binary = kind == 1;

@@ -35,18 +35,17 @@ private:
     bool binary_;
 };
 
-/// One entity: its number, box, physical groups (negative: turned) and, but for points, what bounds it.
-void read_entity(Gmsh4Reader& reader, int dimension, Groups& groups)
+/// The box, physical groups (negative: turned) and, but for points, what bounds an entity.
+void read_rest_of_entity(Gmsh4Reader& reader, const Entity& entity, Groups& groups)
 {
-    const Entity entity{dimension, reader.small("the number of an entity")};
     reader.point();
-    if (dimension > 0) reader.point();
+    if (entity.first > 0) reader.point();
     const std::size_t physical = reader.count(2, "physical groups");
     for (std::size_t i = 0; i < physical; ++i) {
         const std::int64_t group = reader.small("a physical group");
         groups[entity].push_back(group < 0 ? -group : group);
     }
-    if (dimension == 0) return;
+    if (entity.first == 0) return;
     const std::size_t bounding = reader.count(2, "bounding entities");
     for (std::size_t i = 0; i < bounding; ++i) reader.small("a bounding entity");
 }
@@ -57,8 +56,31 @@ Groups read_entities(Gmsh4Reader& reader)
     for (std::size_t& count : counts) count = reader.count(8, "entities");
     Groups groups;
     for (int dimension = 0; dimension < 4; ++dimension)
-        for (std::size_t i = 0; i < counts[dimension]; ++i) read_entity(reader, dimension, groups);
+        for (std::size_t i = 0; i < counts[dimension]; ++i)
+            read_rest_of_entity(reader, {dimension, reader.small("the number of an entity")}, groups);
     return groups;
+}
+
+/// Entities of a mesh cut into partitions, which have its elements. They belong to the groups of the entities they were cut from, too.
+void read_partitioned_entities(Gmsh4Reader& reader, Groups& groups)
+{
+    reader.large("the number of partitions");
+    const std::size_t ghosts = reader.count(4, "ghost entities");
+    for (std::size_t i = 0; i < 2 * ghosts; ++i) reader.small("a ghost entity and its partition");
+    std::array<std::size_t, 4> counts{};
+    for (std::size_t& count : counts) count = reader.count(8, "entities");
+    for (int dimension = 0; dimension < 4; ++dimension)
+        for (std::size_t i = 0; i < counts[dimension]; ++i) {
+            const Entity entity{dimension, reader.small("the number of an entity")};
+            const std::int64_t parent_dimension = reader.small("the dimension of the entity cut");
+            const Entity parent{static_cast<int>(parent_dimension), reader.small("the number of the entity cut")};
+            const std::size_t partitions = reader.count(2, "partitions of an entity");
+            for (std::size_t k = 0; k < partitions; ++k) reader.small("a partition");
+            groups[entity].clear();
+            if (const auto whole = groups.find(parent); parent.first == dimension && parent != entity && whole != groups.end())
+                groups[entity] = whole->second;
+            read_rest_of_entity(reader, entity, groups);
+        }
 }
 
 /// The head of a block of nodes or elements, as the file has it.
@@ -126,7 +148,7 @@ void read_gmsh_4(Scanner& scanner, bool binary, GmshContent& content)
     for (std::string section = next_section(scanner); !section.empty(); section = next_section(scanner)) {
         if (section == "PhysicalNames") read_physical_names(scanner, content);
         if (section == "Entities") groups = read_entities(reader);
-        if (section == "PartitionedEntities") scanner.fail("the mesh is partitioned", "save it in one piece (in gmsh: Mesh > Unpartition)");
+        if (section == "PartitionedEntities") read_partitioned_entities(reader, groups);
         if (section == "Nodes") read_nodes(scanner, reader, content);
         if (section == "Elements") read_elements(scanner, reader, groups, content);
         scanner.skip_past_line("$End" + section);

@@ -13,7 +13,7 @@ namespace corpuscle {
 namespace {
 
 constexpr const char* first_order =
-    "mesh with first-order triangles, quadrilaterals, tetrahedra or hexahedra (in gmsh: Mesh.ElementOrder = 1)";
+    "mesh with first-order triangles, quadrilaterals, tetrahedra or hexahedra (in gmsh: gmsh -order 1, or Mesh.ElementOrder = 1)";
 
 /// Names of gmsh's element types that are refused, by number.
 const char* refused_type(std::int64_t number)

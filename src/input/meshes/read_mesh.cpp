@@ -48,7 +48,10 @@ DeckLanguage deck_language(Scanner scanner)
 
 Mesh read_any(Scanner scanner)
 {
+    if (scanner.rest().starts_with("$Comments")) scanner.skip_past_line("$EndComments");
     if (scanner.rest().starts_with("$MeshFormat")) return read_gmsh(std::move(scanner));
+    if (scanner.rest().starts_with("$NOD"))
+        scanner.fail("gmsh format 1 is not supported", "save as version 4.1 or 2.2 (in gmsh: gmsh -0 FILE -format msh41 -o NEW)");
     if (looks_like_stl(scanner) || scanner.file().ends_with(".stl") || scanner.file().ends_with(".STL"))
         return read_stl(std::move(scanner));
     switch (deck_language(scanner)) {

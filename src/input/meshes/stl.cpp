@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "input/meshes/deck_lines.hpp"
 #include "mesh/measure.hpp"
 #include "mesh/transform.hpp"
 
@@ -24,17 +25,19 @@ std::uint32_t announced_triangles(std::string_view bytes)
     return count;
 }
 
+/// Some writers put bytes behind the last triangle. Text has letters where the number of triangles stands: a number far too large.
 bool is_binary(std::string_view bytes)
 {
-    return bytes.size() >= header_bytes && bytes.size() == header_bytes + triangle_bytes * announced_triangles(bytes);
+    const std::uint64_t count = announced_triangles(bytes), needed = header_bytes + triangle_bytes * count;
+    return bytes.size() == needed || (count > 0 && bytes.size() > needed);
 }
 
 bool is_text(std::string_view bytes)
 {
-    const std::size_t first = bytes.find_first_not_of(" \t\r\n");
-    if (first == std::string_view::npos || !bytes.substr(first).starts_with("solid")) return false;
-    const std::string_view start = bytes.substr(0, 2000);
-    return start.find("facet") != std::string_view::npos || start.find("endsolid") != std::string_view::npos;
+    const std::string start = in_capitals(bytes.substr(0, 2000));
+    const std::size_t first = start.find_first_not_of(" \t\r\n");
+    if (first == std::string::npos || !std::string_view(start).substr(first).starts_with("SOLID")) return false;
+    return start.find("FACET") != std::string::npos || start.find("ENDSOLID") != std::string::npos;
 }
 
 void add_triangle(Mesh& mesh, const std::array<Vector3d, 3>& corners)
@@ -75,10 +78,16 @@ Mesh read_binary(Scanner& scanner)
     return mesh;
 }
 
+/// Whether a word is the one wanted, in small or capital letters.
+bool is_word(std::string_view word, std::string_view wanted)
+{
+    return word == wanted || in_capitals(word) == in_capitals(wanted);
+}
+
 void expect(Scanner& scanner, std::string_view wanted)
 {
     const std::string_view word = scanner.word(std::string(wanted).c_str());
-    if (word != wanted)
+    if (!is_word(word, wanted))
         scanner.fail(fmt::format("'{}' where '{}' was expected", word.substr(0, 40), wanted), "export the surface again, or as binary STL");
 }
 
@@ -104,11 +113,11 @@ Mesh read_text(Scanner& scanner)
     Mesh mesh;
     while (!scanner.at_end()) {
         expect(scanner, "solid");
-        std::string name(scanner.word_on_line());
-        scanner.line();
+        std::string name(trimmed_field(scanner.line()));
         const auto first = static_cast<std::uint32_t>(mesh.elements.size());
-        for (std::string_view word = scanner.word("facet or endsolid"); word != "endsolid"; word = scanner.word("facet or endsolid")) {
-            if (word != "facet")
+        for (std::string_view word = scanner.word("facet or endsolid"); !is_word(word, "endsolid");
+             word = scanner.word("facet or endsolid")) {
+            if (!is_word(word, "facet"))
                 scanner.fail(fmt::format("'{}' where 'facet' or 'endsolid' was expected", word.substr(0, 40)), "export the surface again");
             add_triangle(mesh, read_facet(scanner));
         }

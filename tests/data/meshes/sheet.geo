@@ -1,4 +1,4 @@
-// Two squares side by side: quadrilaterals on the left, triangles on the right. Made into sheet_*.msh by gmsh 4.8.
+// Two squares side by side: quadrilaterals on the left, triangles on the right. Made into sheet_*.msh by gmsh 4.8, sheet_parts_* with -part 2 -part_ghosts.
 Point(1) = {0, 0, 0, 1}; Point(2) = {1, 0, 0, 1}; Point(3) = {2, 0, 0, 1};
 Point(4) = {0, 1, 0, 1}; Point(5) = {1, 1, 0, 1}; Point(6) = {2, 1, 0, 1};
 Point(7) = {5, 5, 5, 1};
