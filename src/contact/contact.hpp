@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,9 @@ public:
 
     /// Impulse that each facet of the structure has got from this contact since the start [N s].
     [[nodiscard]] virtual const std::vector<Vector3d>& facet_impulse() const = 0;
+
+    /// Impulse that nodes of a part have got since the start beside that of its facets [N s].
+    [[nodiscard]] virtual Vector3d impulse_beside_facets(std::uint32_t /*part*/) const { return {}; }
 
     /// What a restart needs.
     virtual FieldSet state() { return {}; }

@@ -83,7 +83,18 @@ std::vector<Transfer> ForceLoad::apply(const Clock& clock)
         given.energy += push_node(structure_.nodes, node, share, clock.duration());
         given.momentum += share;
     }
+    given_.front() += given.momentum;
     return {given};
+}
+
+Vector3d ForceLoad::impulse_beside_facets(std::uint32_t part) const
+{
+    return part == where_.part ? given_.front() : Vector3d{};
+}
+
+FieldSet ForceLoad::state()
+{
+    return {name(), {stored_field("given", "N s", "impulse of the force since the start", given_)}};
 }
 
 }  // namespace corpuscle

@@ -68,13 +68,16 @@ public:
     /// Adds the exact integral of the force over the step.
     std::vector<Transfer> apply(const Clock& clock) override;
     [[nodiscard]] const std::vector<Vector3d>& facet_impulse() const override { return facet_impulse_; }
+    [[nodiscard]] Vector3d impulse_beside_facets(std::uint32_t part) const override;
+    [[nodiscard]] FieldSet state() override;
 
 private:
     Structure& structure_;
     LoadedNodes where_;
     Vector3d direction_;
     TimeCurve force_;
-    std::vector<Vector3d> facet_impulse_;
+    std::vector<Vector3d> given_{Vector3d{}};  ///< so far, on all nodes together [N s]
+    std::vector<Vector3d> facet_impulse_;      ///< none: it acts on nodes
 };
 
 }  // namespace corpuscle

@@ -300,6 +300,7 @@ PartSummary Simulation::summarize_part(std::uint32_t p) const
         summary.impulse += model_->gas_structure.facet_impulse()[f] + model_->grid_walls.facet_impulse()[f];
         for (const auto& load : model_->loads) summary.impulse += load->facet_impulse()[f];
     }
+    for (const auto& load : model_->loads) summary.impulse += load->impulse_beside_facets(p);
     return summary;
 }
 

@@ -70,13 +70,16 @@ def write_curves(folder):
 def check_books(folder):
     write_curves(folder)
     execute(folder, "run", "case.toml", "--out", "a", "--quiet", "--threads", "1", check=0)
-    ledger = json.loads((folder / "a/summary.json").read_text())["ledger"]
+    summary = json.loads((folder / "a/summary.json").read_text())
+    ledger, strip = summary["ledger"], summary["parts"]["strip"]
     assert abs(ledger["energy_error"]) < 2e-3 and abs(ledger["momentum_error"]) < 1e-6, ledger
     given = {t["from"]: t["momentum_n_s"] for t in ledger["transfers"] if t["to"] == "structure"}
     mass = 0.2 * 0.1 * 0.004 * 7850  # of the strip, rha_steel
     assert abs(given["gravity"][2] / (-9810 * 0.2e-3) - (mass + 1)) < 0.02, given
     assert abs(given["pressure"][2] / -(0.02 * 20e5 * 0.5 * (0.08e-3)) - 1) < 0.01, given  # on an area that hardly changes
     assert abs(given["force"][2] - (0.5 * 0.1e-3 + 0.1e-3) * 1e3) < 1e-9, given
+    for axis in range(3):  # what the part took up: gas, pressure and force; the piston has gas alone
+        assert abs(strip["impulse_n_s"][axis] - strip["gas_impulse_n_s"][axis] - given["pressure"][axis] - given["force"][axis]) < 1e-9, strip
     assert given["prescribed motion"][0] < -7.5, given  # 1 kg to -8 m/s
     column = header(folder).index("driven.displacement_z [m]")
     ways = [float(word) for word in (row.split(",")[column] for row in history_rows(folder / "a")) if word]
@@ -87,8 +90,13 @@ def header(folder):
     return (folder / "a/history.csv").read_text().splitlines()[0].split(",")
 
 
+def check_parts_after_stop(folder):
+    """Sums of parts over a stop are those of the whole run."""
+    assert json.loads((folder / "cut/summary.json").read_text())["parts"] == json.loads((folder / "whole/summary.json").read_text())["parts"]
+
+
 def main():
-    return run_checks(CASE, [check_books, same_for_threads, same_after_interrupt])
+    return run_checks(CASE, [check_books, same_for_threads, same_after_interrupt, check_parts_after_stop])
 
 
 if __name__ == "__main__":
