@@ -9,6 +9,7 @@
 #include "input/curves.hpp"
 #include "input/doubts.hpp"
 #include "input/make_material.hpp"
+#include "input/mesh_files.hpp"
 #include "input/placed.hpp"
 #include "input/shapes.hpp"
 #include "mesh/boundary.hpp"
@@ -54,9 +55,10 @@ constexpr std::uint32_t no_element = 0xFFFFFFFFu;
 Mesh only_group(const Mesh& mesh, const std::string& group, const Place& place)
 {
     const std::vector<std::uint32_t>& chosen = elements_of(mesh, group, place);
-    Mesh part = mesh;
-    part.elements.clear();
-    part.element_sets.clear();
+    Mesh part;
+    part.nodes = mesh.nodes;
+    part.node_sets = mesh.node_sets;
+    part.remarks = mesh.remarks;
     std::vector<std::uint32_t> kept_as(mesh.elements.size(), no_element);
     for (const std::uint32_t element : chosen) {
         kept_as[element] = static_cast<std::uint32_t>(part.elements.size());
@@ -194,13 +196,27 @@ void warn_of_triangles(const PartDescription& built, std::vector<std::string>& w
                         built.name, triangles, others));
 }
 
-PartDescription describe(const PartInput& part, const CaseDescription& description, std::vector<std::string>& warnings)
+/// The mesh of a part, of a file that may have been read for another.
+Mesh mesh_of(const PartInput& part, const CaseDescription& description, MeshFiles& files)
+{
+    const Place& place = part.places.of("mesh");
+    const auto chosen = [&](const Mesh& whole) {
+        return part.mesh.group.empty() ? whole : only_group(whole, part.mesh.group, part.mesh.places.of("group"));
+    };
+    Mesh mesh = part.mesh.file ? chosen(files.read(*part.mesh.file, part.mesh.unit, place))
+                               : chosen(at_place(place, [&] { return generated_surface(part, description); }));
+    if (part.mesh.extrude) mesh = at_place(place, [&] { return extruded(mesh, sweep_of(part.mesh), part.mesh.extrude->layers); });
+    translate(mesh, part.mesh.move);
+    return mesh;
+}
+
+PartDescription describe(const PartInput& part, const CaseDescription& description, MeshFiles& files, std::vector<std::string>& warnings)
 {
     PartDescription built;
     built.name = part.name;
     built.place = part.places.own;
     built.material_place = part.places.of("material");
-    built.mesh = make_mesh(part, description);
+    built.mesh = mesh_of(part, description, files);
     at_place(part.places.of("mesh"), [&] {
         for (const std::string& remark : built.mesh.remarks)
             if (std::find(warnings.begin(), warnings.end(), remark) == warnings.end()) warnings.push_back(remark);
@@ -300,21 +316,17 @@ void plan_loads(const CaseDescription& description, const Mesh& mesh, const Stru
 
 Mesh make_mesh(const PartInput& part, const CaseDescription& description)
 {
-    const Place& place = part.places.of("mesh");
-    Mesh mesh = part.mesh.file ? mesh_from_file(*part.mesh.file, part.mesh.unit, description, place)
-                               : at_place(place, [&] { return generated_surface(part, description); });
-    if (!part.mesh.group.empty()) mesh = only_group(mesh, part.mesh.group, part.mesh.places.of("group"));
-    if (part.mesh.extrude) mesh = at_place(place, [&] { return extruded(mesh, sweep_of(part.mesh), part.mesh.extrude->layers); });
-    translate(mesh, part.mesh.move);
-    return mesh;
+    MeshFiles files(description);
+    return mesh_of(part, description, files);
 }
 
 Structure build_structure(const CaseDescription& description, StructureNotes& notes)
 {
     Structure structure;
     notes.loads.resize(description.loads.size());
+    MeshFiles files(description);
     for (const PartInput& part : description.parts) {
-        const PartDescription described = describe(part, description, notes.warnings);
+        const PartDescription described = describe(part, description, files, notes.warnings);
         at_place(part.places.own, [&] { add_part(structure, described); });
         notes.parts.push_back(report_of(described.mesh, structure));
         warn_of_small_step(notes.parts.back(), notes.warnings);

@@ -28,7 +28,12 @@ std::string plain_real(std::string_view field)
     return plus == std::string::npos ? text : text.erase(plus + 1, 1);
 }
 
-constexpr const char* number_remedy = "correct the line, or export the mesh again";
+/// What would mend a field that is no number.
+const char* number_remedy(std::string_view field)
+{
+    if (field.find_first_of(" \t") != std::string_view::npos) return "put commas between the fields, or each into its columns";
+    return "correct the line, or export the mesh again";
+}
 
 /// The file of that name: as it is if it is a full path, else beside the deck or in the first folder that has it. Folders may be parted
 /// as on Windows.
@@ -139,7 +144,7 @@ double real_field(const DeckLines& lines, std::string_view field, const char* wh
     double value = 0.0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value))
-        lines.fail(fmt::format("'{}' is not a number ({} was expected)", shown_field(field), what), number_remedy);
+        lines.fail(fmt::format("'{}' is not a number ({} was expected)", shown_field(field), what), number_remedy(field));
     return value;
 }
 
@@ -149,7 +154,7 @@ std::int64_t integer_field(const DeckLines& lines, std::string_view field, const
     std::int64_t value = 0;
     const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
     if (error != std::errc{} || end != field.data() + field.size())
-        lines.fail(fmt::format("'{}' is not a whole number ({} was expected)", shown_field(field), what), number_remedy);
+        lines.fail(fmt::format("'{}' is not a whole number ({} was expected)", shown_field(field), what), number_remedy(field));
     return value;
 }
 

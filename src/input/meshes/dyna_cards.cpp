@@ -17,6 +17,18 @@ bool is_blank_line(std::string_view line)
     return trimmed_field(line).empty();
 }
 
+/// What stands between tabs and blanks: for lines with tabs, which have no columns.
+std::vector<std::string_view> fields_between_blanks(std::string_view line)
+{
+    std::vector<std::string_view> fields;
+    for (line = trimmed_field(line); !line.empty(); line = trimmed_field(line)) {
+        const std::size_t end = std::min(line.find_first_of(" \t"), line.size());
+        fields.push_back(line.substr(0, end));
+        line.remove_prefix(end);
+    }
+    return fields;
+}
+
 /// A value as a field would have it: what is whole without a point.
 std::string written(const DeckNumber& number)
 {
@@ -72,6 +84,8 @@ void DynaCards::split(const std::size_t* widths, std::size_t count)
     std::string_view line = lines_.text();
     if (line.find(',') != std::string_view::npos) {
         fields_ = comma_fields(line);
+    } else if (trimmed_field(line).find('\t') != std::string_view::npos) {
+        fields_ = fields_between_blanks(line);
     } else {
         fields_.clear();
         for (std::size_t i = 0; i < count; ++i) {

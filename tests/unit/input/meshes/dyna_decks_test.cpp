@@ -121,6 +121,15 @@ TEST(DynaDecks, FieldsWithoutBlanksBetweenThemAreTaken)
     EXPECT_THAT(mesh.element_sets.at("part_30000001"), ElementsAre(0));
 }
 
+TEST(DynaDecks, LinesWithTabsHaveNoColumns)
+{
+    std::string text = "*KEYWORD\n" + strip_nodes + strip_sets;
+    for (char& c : text)
+        if (c == ',') c = '\t';
+    expect_strip(deck(text), "tabs");
+    EXPECT_THAT(deck_refusal("*KEYWORD\n*NODE\n1 0. 0. 0.\n"), AllOf(HasSubstr("deck.k:3:1"), HasSubstr("put commas between the fields")));
+}
+
 TEST(DynaDecks, BlankTitlesOfPartsAreTitles)
 {
     const std::string text =
