@@ -2,19 +2,15 @@
 
 #include <cmath>
 
-#include "parallel/loops.hpp"
 #include "structure/elements/point_values.hpp"
 
 namespace corpuscle {
 
 namespace {
 
-/// What an element keeps besides its point, by slot.
-enum Slot : int {
-    slot_mass = 0,            ///< [kg]
-    slot_work = 1,            ///< done on the element by its corners [J]
-    slot_hourglass_work = 2,  ///< [J]
-    slot_plastic_work = 3,    ///< [J]
+/// What an element keeps besides what all solids do, by slot.
+enum BrickSlot : int {
+    slot_hourglass_work = 3,  ///< [J]
     slot_hourglass = 4,       ///< four elastic forces against hourglass modes
     slot_loads = 16,          ///< modal loads on the corners
     slot_point = 37,
@@ -23,14 +19,6 @@ enum Slot : int {
 using Modes = HexModes<Lanes>;
 using Gradient = HexGradient<Lanes>;
 using Vector = Vector3<Lanes>;
-
-/// The place in the middle of the step. [m]
-Modes halfway(const Modes& end, const Modes& move)
-{
-    const Lanes half = 0.5;
-    return {end.mean - move.mean * half, end.x - move.x * half,   end.y - move.y * half,   end.z - move.z * half,
-            end.yz - move.yz * half,     end.zx - move.zx * half, end.xy - move.xy * half, end.twist - move.twist * half};
-}
 
 GradientSquares<Lanes> squares_of(const Gradient& g)
 {
@@ -62,24 +50,15 @@ Modes load_of(const Gradient& g, const Modes& place, const SolidStress<Lanes>& s
     return load;
 }
 
-int slots_of(const Material& material)
-{
-    return slot_point + slots_of_point(material.strength, solid_slots);
-}
-
 }  // namespace
 
 Bricks::Bricks(SolidInput<8> input, const Material& material, const Nodes& nodes)
-    : BlockElements({input.corners.size(), slots_of(material)}),
-      corners_(std::move(input.corners)),
-      material_(material),
-      viscosity_(input.viscosity),
+    : SolidElements(input, material, slot_point + slots_of_point(material.strength, solid_slots)),
       hourglass_stiffness_(input.hourglass_stiffness),
       hourglass_viscosity_(input.hourglass_viscosity)
 {
-    fill_blocks(corners_);
     for (std::size_t b = 0; b < blocks_.block_count(); ++b) {
-        const Gradient g = gradient_of(modes_of(gather(nodes.reference, &corners_[b * lane_count])));
+        const Gradient g = gradient_of(modes_of(gather(nodes.reference, corners_of_block(b))));
         const Lanes mass = material_.density * g.volume;
         store_slot(blocks_.block(b), slot_mass, mass);
         std::visit(
@@ -93,20 +72,9 @@ Bricks::Bricks(SolidInput<8> input, const Material& material, const Nodes& nodes
     blocks_.review();
 }
 
-CornerMass Bricks::corner_mass(std::size_t element) const
-{
-    return {0.125 * blocks_.slot(element, slot_mass), 0.0};
-}
-
 std::size_t Bricks::resist(const Nodes& nodes, double duration, std::span<CornerLoad> loads)
 {
-    std::visit(
-        [&]<class Law>(const Law& law) {
-            if constexpr (for_solids<Law>())
-                for_each_dynamic(blocks_.block_count(), blocks_at_a_time,
-                                 [&](std::size_t b) { resist_block(law, nodes, duration, b, loads); });
-        },
-        material_.strength);
+    for_each_block([&](const auto& law, std::size_t b) { resist_block(law, nodes, duration, b, loads); });
     return blocks_.review();
 }
 
@@ -115,7 +83,7 @@ template <class Law>
 void Bricks::resist_block(const Law& law, const Nodes& nodes, double duration, std::size_t b, std::span<CornerLoad> loads)
 {
     if (blocks_.gone(b)) return;
-    const auto* corners = &corners_[b * lane_count];
+    const auto* corners = corners_of_block(b);
     Lanes* own = blocks_.block(b);
     const Modes end = modes_of(gather_left(blocks_, b, nodes.position, nodes.reference, corners));
     const Modes move = modes_of(gather_way(blocks_, b, nodes.velocity, duration, corners));
@@ -194,9 +162,10 @@ ElementValues Bricks::values(std::size_t element) const
 
 ElementEnergy Bricks::energy(std::size_t element) const
 {
-    if (!blocks_.is_left(element)) return {};
-    const double hourglass = blocks_.slot(element, slot_hourglass_work);
-    return {blocks_.slot(element, slot_work) - hourglass, blocks_.slot(element, slot_plastic_work), hourglass};
+    ElementEnergy energy = SolidElements::energy(element);
+    energy.hourglass = is_left(element) ? blocks_.slot(element, slot_hourglass_work) : 0.0;
+    energy.internal -= energy.hourglass;
+    return energy;
 }
 
 }  // namespace corpuscle

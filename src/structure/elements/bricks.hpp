@@ -4,14 +4,14 @@
 #include <string>
 
 #include "mesh/mesh.hpp"
-#include "structure/elements/solids.hpp"
+#include "structure/elements/solid_elements.hpp"
 #include "structure/nodes.hpp"
 
 namespace corpuscle {
 
 /// Eight-node bricks with one point and hourglass control after Flanagan and Belytschko 1981. Stress lies in global axes and turns with
 /// the step's mean spin. Computed `lane_count` elements side by side.
-class Bricks : public BlockElements {
+class Bricks : public SolidElements<8> {
 public:
     Bricks() = default;
     /// Undeformed bricks at the nodes' reference positions.
@@ -19,9 +19,6 @@ public:
 
     [[nodiscard]] const char* kind() const { return "brick"; }
     [[nodiscard]] ElementShape shape(std::size_t) const { return ElementShape::hexahedron; }
-    [[nodiscard]] int corner_count() const { return 8; }
-    [[nodiscard]] std::uint32_t node(std::size_t element, int corner) const { return corners_[element][corner]; }
-    [[nodiscard]] CornerMass corner_mass(std::size_t element) const;
 
     /// Takes the step's strain from the nodes' velocities, finds stresses, and writes the loads of 8 corners an element.
     /// Returns the index of the first element whose energy or shape is no longer a number, or size(). `duration` [s] > 0.
@@ -44,9 +41,6 @@ private:
                                const Gradient3<Lanes>& gradient, const Lanes& strength, double duration, Lanes* own) const;
     [[nodiscard]] Lanes allowed_step(const HexGradient<Lanes>& g, const Lanes& mass, const Lanes& bulk) const;
 
-    std::vector<std::array<std::uint32_t, 8>> corners_;  ///< whole blocks
-    SolidMaterial material_;
-    BulkViscosity viscosity_;
     double hourglass_stiffness_ = 0, hourglass_viscosity_ = 0;
 };
 

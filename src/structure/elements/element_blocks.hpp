@@ -65,24 +65,6 @@ private:
     double stable_step_ = 0;       ///< [s]
 };
 
-/// What kinds of elements that keep their numbers in blocks have in common.
-class BlockElements {
-public:
-    [[nodiscard]] std::size_t size() const { return blocks_.size(); }
-    [[nodiscard]] bool is_left(std::size_t element) const { return blocks_.is_left(element); }
-    /// Takes an element out: from now on it feels nothing and resists nothing.
-    void remove(std::size_t element) { blocks_.remove(element); }
-    /// 2 / (highest frequency) of an element, and the smallest of all, after the last resist. [s]
-    [[nodiscard]] double transit(std::size_t element) const { return blocks_.transit(element); }
-    [[nodiscard]] double stable_step() const { return blocks_.stable_step(); }
-
-protected:
-    BlockElements() = default;
-    explicit BlockElements(ElementBlocks blocks) : blocks_(std::move(blocks)) {}
-
-    ElementBlocks blocks_;
-};
-
 /// A number of each element of a block.
 inline Lanes load_slot(const Lanes* own, int slot)
 {
@@ -223,5 +205,44 @@ void fill_blocks(std::vector<T>& elements)
 {
     while (elements.size() % lane_count != 0) elements.push_back(T(elements.back()));
 }
+
+/// Corner places in the middle of the step. [m]
+template <std::size_t N>
+LaneCorners<N> halfway(const LaneCorners<N>& end, const LaneCorners<N>& move)
+{
+    LaneCorners<N> middle;
+    for (std::size_t c = 0; c < N; ++c) middle[c] = end[c] - move[c] * Lanes(0.5);
+    return middle;
+}
+
+/// What kinds of elements of N corners that keep their numbers in blocks have in common.
+template <std::size_t N>
+class BlockElements {
+public:
+    [[nodiscard]] std::size_t size() const { return blocks_.size(); }
+    [[nodiscard]] int corner_count() const { return static_cast<int>(N); }
+    [[nodiscard]] std::uint32_t node(std::size_t element, int corner) const { return corners_[element][static_cast<std::size_t>(corner)]; }
+    [[nodiscard]] bool is_left(std::size_t element) const { return blocks_.is_left(element); }
+    /// Takes an element out: from now on it feels nothing and resists nothing.
+    void remove(std::size_t element) { blocks_.remove(element); }
+    /// 2 / (highest frequency) of an element, and the smallest of all, after the last resist. [s]
+    [[nodiscard]] double transit(std::size_t element) const { return blocks_.transit(element); }
+    [[nodiscard]] double stable_step() const { return blocks_.stable_step(); }
+
+protected:
+    using CornerNodes = std::array<std::uint32_t, N>;
+
+    BlockElements() = default;
+    /// Elements at the structure's nodes, that keep `slots` numbers each.
+    BlockElements(std::vector<CornerNodes> corners, int slots) : blocks_(corners.size(), slots), corners_(std::move(corners))
+    {
+        fill_blocks(corners_);
+    }
+    /// Corners of the elements of a block.
+    [[nodiscard]] const CornerNodes* corners_of_block(std::size_t b) const { return &corners_[b * lane_count]; }
+
+    ElementBlocks blocks_;
+    std::vector<CornerNodes> corners_;  ///< whole blocks: the last element is repeated to fill its block
+};
 
 }  // namespace corpuscle

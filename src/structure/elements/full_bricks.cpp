@@ -3,19 +3,15 @@
 #include <cmath>
 #include <numbers>
 
-#include "parallel/loops.hpp"
 #include "structure/elements/point_values.hpp"
 
 namespace corpuscle {
 
 namespace {
 
-/// What an element keeps besides its points, by slot.
-enum Slot : int {
-    slot_mass = 0,          ///< [kg]
-    slot_work = 1,          ///< done on the element by its corners [J]
-    slot_plastic_work = 2,  ///< [J]
-    slot_loads = 3,         ///< modal loads on the corners
+/// What an element keeps besides what all solids do, by slot.
+enum FullBrickSlot : int {
+    slot_loads = 3,  ///< modal loads on the corners
     slot_points = 24,
 };
 
@@ -69,13 +65,6 @@ struct PointShape {
     Lanes volume;          ///< [m3]
 };
 
-Modes halfway(const Modes& end, const Modes& move)
-{
-    const Lanes half = 0.5;
-    return {end.mean - move.mean * half, end.x - move.x * half,   end.y - move.y * half,   end.z - move.z * half,
-            end.yz - move.yz * half,     end.zx - move.zx * half, end.xy - move.xy * half, end.twist - move.twist * half};
-}
-
 /// Adds the modal loads of one point's stress.
 void add_load(Modes& load, const SolidStress<Lanes>& s, const PointShape& shape, const PointPlace& p)
 {
@@ -108,23 +97,14 @@ Modes load_of(const Modes& place, const std::array<SolidStress<Lanes>, point_cou
     return load;
 }
 
-int slots_of(const Material& material)
-{
-    return slot_points + point_count * slots_of_point(material.strength, solid_slots);
-}
-
 }  // namespace
 
 FullBricks::FullBricks(SolidInput<8> input, const Material& material, const Nodes& nodes)
-    : BlockElements({input.corners.size(), slots_of(material)}),
-      corners_(std::move(input.corners)),
-      material_(material),
-      viscosity_(input.viscosity),
+    : SolidElements(input, material, slot_points + point_count * slots_of_point(material.strength, solid_slots)),
       point_slots_(slots_of_point(material.strength, solid_slots))
 {
-    fill_blocks(corners_);
     for (std::size_t b = 0; b < blocks_.block_count(); ++b) {
-        const Modes place = modes_of(gather(nodes.reference, &corners_[b * lane_count]));
+        const Modes place = modes_of(gather(nodes.reference, corners_of_block(b)));
         const Lanes mass = material_.density * gradient_of(place).volume;
         store_slot(blocks_.block(b), slot_mass, mass);
         std::visit(
@@ -138,20 +118,9 @@ FullBricks::FullBricks(SolidInput<8> input, const Material& material, const Node
     blocks_.review();
 }
 
-CornerMass FullBricks::corner_mass(std::size_t element) const
-{
-    return {0.125 * blocks_.slot(element, slot_mass), 0.0};
-}
-
 std::size_t FullBricks::resist(const Nodes& nodes, double duration, std::span<CornerLoad> loads)
 {
-    std::visit(
-        [&]<class Law>(const Law& law) {
-            if constexpr (for_solids<Law>())
-                for_each_dynamic(blocks_.block_count(), blocks_at_a_time,
-                                 [&](std::size_t b) { resist_block(law, nodes, duration, b, loads); });
-        },
-        material_.strength);
+    for_each_block([&](const auto& law, std::size_t b) { resist_block(law, nodes, duration, b, loads); });
     return blocks_.review();
 }
 
@@ -160,7 +129,7 @@ template <class Law>
 void FullBricks::resist_block(const Law& law, const Nodes& nodes, double duration, std::size_t b, std::span<CornerLoad> loads)
 {
     if (blocks_.gone(b)) return;
-    const auto* corners = &corners_[b * lane_count];
+    const auto* corners = corners_of_block(b);
     Lanes* own = blocks_.block(b);
     const Modes end = modes_of(gather_left(blocks_, b, nodes.position, nodes.reference, corners));
     const Modes move = modes_of(gather_way(blocks_, b, nodes.velocity, duration, corners));
@@ -248,12 +217,6 @@ SolidPoint<double> FullBricks::point(std::size_t element, int p) const
 ElementValues FullBricks::values(std::size_t element) const
 {
     return values_of_points(point_count, [&](int p) { return point(element, p); });
-}
-
-ElementEnergy FullBricks::energy(std::size_t element) const
-{
-    if (!blocks_.is_left(element)) return {};
-    return {blocks_.slot(element, slot_work), blocks_.slot(element, slot_plastic_work), 0.0};
 }
 
 }  // namespace corpuscle

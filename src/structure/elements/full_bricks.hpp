@@ -4,7 +4,7 @@
 #include <string>
 
 #include "mesh/mesh.hpp"
-#include "structure/elements/solids.hpp"
+#include "structure/elements/solid_elements.hpp"
 #include "structure/nodes.hpp"
 
 namespace corpuscle {
@@ -12,7 +12,7 @@ namespace corpuscle {
 /// Eight-node bricks with two points along each direction; the growth of volume is read as the element's mean (selectively reduced, after
 /// Hughes 1980, Int. J. Numer. Methods Eng. 15, 1413), so that plastic flow does not lock. No hourglass modes; slow, and stiff in the
 /// bending of thin layers.
-class FullBricks : public BlockElements {
+class FullBricks : public SolidElements<8> {
 public:
     FullBricks() = default;
     /// Undeformed bricks at the nodes' reference positions.
@@ -20,15 +20,11 @@ public:
 
     [[nodiscard]] const char* kind() const { return "full brick"; }
     [[nodiscard]] ElementShape shape(std::size_t) const { return ElementShape::hexahedron; }
-    [[nodiscard]] int corner_count() const { return 8; }
-    [[nodiscard]] std::uint32_t node(std::size_t element, int corner) const { return corners_[element][corner]; }
-    [[nodiscard]] CornerMass corner_mass(std::size_t element) const;
 
     /// As of `Bricks`.
     std::size_t resist(const Nodes& nodes, double duration, std::span<CornerLoad> loads);
 
     [[nodiscard]] ElementValues values(std::size_t element) const;
-    [[nodiscard]] ElementEnergy energy(std::size_t element) const;
     /// Stress and history of one of the eight points, x fastest, in global axes.
     [[nodiscard]] SolidPoint<double> point(std::size_t element, int point) const;
 
@@ -41,9 +37,6 @@ private:
     Lanes stretch_points(const Law& law, const HexModes<Lanes>& place, const HexModes<Lanes>& move, double duration, Lanes* own);
     [[nodiscard]] Lanes allowed_step(const HexModes<Lanes>& place, const Lanes& mass, const Lanes& bulk) const;
 
-    std::vector<std::array<std::uint32_t, 8>> corners_;  ///< whole blocks
-    SolidMaterial material_;
-    BulkViscosity viscosity_;
     int point_slots_ = 0;
 };
 

@@ -31,6 +31,15 @@ HexModes<Real> modes_of(const HexCorners<Real>& c)
             (sd1 - sd0) * eighth, (ds1 - ds0) * eighth, (dd0 + dd1) * eighth, (dd1 - dd0) * eighth};
 }
 
+/// The place in the middle of the step. [m]
+template <class Real>
+HexModes<Real> halfway(const HexModes<Real>& end, const HexModes<Real>& move)
+{
+    const Real half = 0.5;
+    return {end.mean - move.mean * half, end.x - move.x * half,   end.y - move.y * half,   end.z - move.z * half,
+            end.yz - move.yz * half,     end.zx - move.zx * half, end.xy - move.xy * half, end.twist - move.twist * half};
+}
+
 /// Corner loads that do the same work on corner values as `load` does on their modes.
 template <class Real>
 HexCorners<Real> corners_of(const HexModes<Real>& load)

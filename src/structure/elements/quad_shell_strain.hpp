@@ -121,4 +121,22 @@ GradientSum<Real> gradient_sum(const QuadFrame<Real>& f)
     return {(f.sy * f.sy + f.ty * f.ty) * scale, (f.sx * f.sx + f.tx * f.tx) * scale, -(f.sx * f.sy + f.tx * f.ty) * scale};
 }
 
+/// Square of the highest membrane frequency over (corners * plane modulus * area * thickness / mass): exact for a one-point
+/// element, in the axes in which the gradient sum has no xy. [1/m2]
+template <class Real>
+Real membrane_eigenvalue(const GradientSum<Real>& g, double poisson)
+{
+    const Real half = 0.5 * (g.xx + g.yy), gap = 0.5 * (g.xx - g.yy);
+    const Real spread = gap * gap + g.xy * g.xy;
+    return half + square_root(spread + poisson * poisson * (half * half - spread));
+}
+
+/// Largest principal value of the gradient sum. [1/m2]
+template <class Real>
+Real largest_gradient(const GradientSum<Real>& g)
+{
+    const Real half = 0.5 * (g.xx + g.yy), gap = 0.5 * (g.xx - g.yy);
+    return half + square_root(gap * gap + g.xy * g.xy);
+}
+
 }  // namespace corpuscle

@@ -3,21 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "parallel/loops.hpp"
-
 namespace corpuscle {
 
 namespace {
 
-/// What an element keeps besides its points, by slot.
-enum Slot : int {
-    slot_thickness = 0,        ///< [m]
-    slot_mass = 1,             ///< [kg]
-    slot_gyration = 2,         ///< rotary inertia over mass [m2]
-    slot_hourglass = 3,        ///< six elastic forces and moments against hourglass modes
-    slot_work = 9,             ///< done on the element by its corners [J]
-    slot_hourglass_work = 10,  ///< [J]
-    slot_plastic_work = 11,    ///< [J]
+/// What an element keeps besides what all shells do, by slot.
+enum QuadSlot : int {
+    slot_hourglass = 6,  ///< six elastic forces and moments against hourglass modes
     slot_points = 12,
 };
 
@@ -29,24 +21,6 @@ LaneModes halfway(const LaneModes& end, const LaneModes& move)
 {
     const Lanes half = 0.5;
     return {end.mean - move.mean * half, end.s - move.s * half, end.t - move.t * half, end.twist - move.twist * half};
-}
-
-/// Square of the highest membrane frequency over 4 * plane modulus * area * thickness / mass: exact for a one-point element, in
-/// the axes in which the gradient sum has no xy. [1/m2]
-template <class Real>
-Real membrane_eigenvalue(const GradientSum<Real>& g, double poisson)
-{
-    const Real half = 0.5 * (g.xx + g.yy), gap = 0.5 * (g.xx - g.yy);
-    const Real spread = gap * gap + g.xy * g.xy;
-    return half + square_root(spread + poisson * poisson * (half * half - spread));
-}
-
-/// Largest principal value of the gradient sum. [1/m2]
-template <class Real>
-Real largest_gradient(const GradientSum<Real>& g)
-{
-    const Real half = 0.5 * (g.xx + g.yy), gap = 0.5 * (g.xx - g.yy);
-    return half + square_root(gap * gap + g.xy * g.xy);
 }
 
 /// Smallest rotary inertia over mass with which bending and transverse shear are no faster than plate waves. [m2]
@@ -63,21 +37,11 @@ QuadFrame<double> reference_frame(const std::array<std::uint32_t, 4>& corners, c
     return frame_of(modes_of(places));
 }
 
-/// Numbers an element keeps.
-int slots_of(const ShellInput<4>& input, const Material& material)
-{
-    return slot_points + static_cast<int>(input.points.size()) * slots_of_point(material.strength, plane_slots);
-}
-
 }  // namespace
 
 QuadrilateralShells::QuadrilateralShells(ShellInput<4> input, const Material& material, const Nodes& nodes)
-    : BlockElements({input.corners.size(), slots_of(input, material)}),
-      corners_(std::move(input.corners)),
-      section_(std::move(input.points), material, input.shear_factor, {slot_thickness, slot_plastic_work, slot_points}),
-      hourglass_(input.hourglass)
+    : ShellElements(input, material, slot_points)
 {
-    fill_blocks(corners_);
     fill_blocks(input.thickness);
     for (std::size_t e = 0; e < corners_.size(); ++e) {
         const QuadFrame<double> frame = reference_frame(corners_[e], nodes);
@@ -87,25 +51,13 @@ QuadrilateralShells::QuadrilateralShells(ShellInput<4> input, const Material& ma
         blocks_.set_slot(e, slot_gyration, gyration(gradient_sum(frame), section_.stiffness, section_.shear_factor, thickness));
     }
     for (std::size_t b = 0; b < blocks_.block_count(); ++b)
-        blocks_.set_transit(b, allowed_step(frame_of(modes_of(gather(nodes.reference, &corners_[b * lane_count]))), blocks_.block(b)));
+        blocks_.set_transit(b, allowed_step(frame_of(modes_of(gather(nodes.reference, corners_of_block(b)))), blocks_.block(b)));
     blocks_.review();
-}
-
-CornerMass QuadrilateralShells::corner_mass(std::size_t element) const
-{
-    const double quarter = 0.25 * blocks_.slot(element, slot_mass);
-    return {quarter, quarter * blocks_.slot(element, slot_gyration)};
 }
 
 std::size_t QuadrilateralShells::resist(const Nodes& nodes, double duration, std::span<CornerLoad> loads)
 {
-    std::visit(
-        [&]<class Law>(const Law& law) {
-            if constexpr (for_shells<Law>())
-                for_each_dynamic(blocks_.block_count(), blocks_at_a_time,
-                                 [&](std::size_t b) { resist_block(law, nodes, duration, b, loads); });
-        },
-        section_.strength);
+    for_each_block([&](const auto& law, std::size_t b) { resist_block(law, nodes, duration, b, loads); });
     return blocks_.review();
 }
 
@@ -113,7 +65,7 @@ std::size_t QuadrilateralShells::resist(const Nodes& nodes, double duration, std
 template <class Law>
 void QuadrilateralShells::resist_block(const Law& law, const Nodes& nodes, double duration, std::size_t b, std::span<CornerLoad> loads)
 {
-    const std::array<std::uint32_t, 4>* corners = &corners_[b * lane_count];
+    const auto* corners = corners_of_block(b);
     if (blocks_.gone(b)) return;
     blocks_.fetch_ahead(b + 1);
     Lanes* own = blocks_.block(b);
@@ -174,13 +126,6 @@ Lanes QuadrilateralShells::allowed_step(const QuadFrame<Lanes>& f, const Lanes* 
     const Lanes plate = 4.0 * section_.stiffness.plane() * membrane_eigenvalue(g, section_.stiffness.poisson()) * bending;
     const Lanes shear = section_.shear_factor * section_.stiffness.shear() * (4.0 * largest_gradient(g) + 1.0 / gyration_now);
     return 2.0 * square_root(load_slot(own, slot_mass) / (f.area * thickness * larger(plate, shear)));
-}
-
-ElementEnergy QuadrilateralShells::energy(std::size_t element) const
-{
-    if (!blocks_.is_left(element)) return {};
-    const double hourglass = blocks_.slot(element, slot_hourglass_work);
-    return {blocks_.slot(element, slot_work) - hourglass, blocks_.slot(element, slot_plastic_work), hourglass};
 }
 
 }  // namespace corpuscle

@@ -10,12 +10,9 @@ namespace corpuscle {
 
 namespace {
 
-/// What an element keeps besides its point, by slot.
-enum Slot : int {
-    slot_mass = 0,          ///< [kg]
-    slot_work = 1,          ///< done on the element by its corners [J]
-    slot_plastic_work = 2,  ///< [J]
-    slot_loads = 3,         ///< forces on corners 2 to 4; that on the first is opposite to their sum
+/// What an element keeps besides what all solids do, by slot.
+enum TetrahedronSlot : int {
+    slot_loads = 3,  ///< forces on corners 2 to 4; that on the first is opposite to their sum
     slot_point = 12,
 };
 
@@ -42,30 +39,14 @@ struct TetGradient {
     Lanes volume;                ///< [m3]
 };
 
-Corners halfway(const Corners& end, const Corners& move)
-{
-    Corners middle;
-    for (int c = 0; c < 4; ++c) middle[c] = end[c] - move[c] * Lanes(0.5);
-    return middle;
-}
-
-int slots_of(const Material& material)
-{
-    return slot_point + slots_of_point(material.strength, solid_slots);
-}
-
 }  // namespace
 
 Tetrahedra::Tetrahedra(SolidInput<4> input, const Material& material, const Nodes& nodes)
-    : BlockElements({input.corners.size(), slots_of(material)}),
-      corners_(std::move(input.corners)),
-      material_(material),
-      viscosity_(input.viscosity)
+    : SolidElements(input, material, slot_point + slots_of_point(material.strength, solid_slots))
 {
-    fill_blocks(corners_);
     connect();
     for (std::size_t b = 0; b < blocks_.block_count(); ++b) {
-        const Corners place = gather(nodes.reference, &corners_[b * lane_count]);
+        const Corners place = gather(nodes.reference, corners_of_block(b));
         const Lanes mass = material_.density * TetGradient(place).volume;
         store_slot(blocks_.block(b), slot_mass, mass);
         std::visit(
@@ -101,34 +82,21 @@ void Tetrahedra::connect()
     for (std::vector<double>* numbers : {&volume_, &amount_, &viscous_}) numbers->resize(corners_.size());
 }
 
-CornerMass Tetrahedra::corner_mass(std::size_t element) const
-{
-    return {0.25 * blocks_.slot(element, slot_mass), 0.0};
-}
-
 /// Five sweeps: growth of each element, its mean at nodes, stresses, the mean of pressures at nodes, loads.
 std::size_t Tetrahedra::resist(const Nodes& nodes, double duration, std::span<CornerLoad> loads)
 {
-    constexpr std::size_t grain = 64;
-    const std::size_t blocks = blocks_.block_count();
-    for_each_dynamic(blocks, grain, [&](std::size_t b) { measure_growth(nodes, duration, b); });
+    for_each_dynamic(blocks_.block_count(), blocks_at_a_time, [&](std::size_t b) { measure_growth(nodes, duration, b); });
     average_at_nodes();
-    std::visit(
-        [&]<class Law>(const Law& law) {
-            if constexpr (for_solids<Law>()) {
-                for_each_dynamic(blocks, grain, [&](std::size_t b) { stretch_block(law, nodes, duration, b); });
-                average_at_nodes();
-                for_each_dynamic(blocks, grain, [&](std::size_t b) { load_block(law, nodes, duration, b, loads); });
-            }
-        },
-        material_.strength);
+    for_each_block([&](const auto& law, std::size_t b) { stretch_block(law, nodes, duration, b); });
+    average_at_nodes();
+    for_each_block([&](const auto& law, std::size_t b) { load_block(law, nodes, duration, b, loads); });
     return blocks_.review();
 }
 
 /// Volume and gain of volume of each element in the middle of the step; nothing of eroded ones.
 void Tetrahedra::measure_growth(const Nodes& nodes, double duration, std::size_t b)
 {
-    const auto* corners = &corners_[b * lane_count];
+    const auto* corners = corners_of_block(b);
     const Corners end = gather_left(blocks_, b, nodes.position, nodes.reference, corners);
     const Corners move = gather_way(blocks_, b, nodes.velocity, duration, corners);
     const TetGradient g(halfway(end, move));
@@ -166,7 +134,7 @@ template <class Law>
 void Tetrahedra::stretch_block(const Law& law, const Nodes& nodes, double duration, std::size_t b)
 {
     if (blocks_.gone(b)) return store_lanes(0.0, &amount_[b * lane_count]);
-    const auto* corners = &corners_[b * lane_count];
+    const auto* corners = corners_of_block(b);
     Lanes* own = blocks_.block(b);
     const Corners end = gather_left(blocks_, b, nodes.position, nodes.reference, corners);
     const Corners move = gather_way(blocks_, b, nodes.velocity, duration, corners);
@@ -195,7 +163,7 @@ template <class Law>
 void Tetrahedra::load_block(const Law& law, const Nodes& nodes, double duration, std::size_t b, std::span<CornerLoad> loads)
 {
     if (blocks_.gone(b)) return;
-    const auto* corners = &corners_[b * lane_count];
+    const auto* corners = corners_of_block(b);
     Lanes* own = blocks_.block(b);
     const Corners end = gather_left(blocks_, b, nodes.position, nodes.reference, corners);
     const Corners move = gather_way(blocks_, b, nodes.velocity, duration, corners);
@@ -235,12 +203,6 @@ SolidPoint<double> Tetrahedra::point(std::size_t element) const
 ElementValues Tetrahedra::values(std::size_t element) const
 {
     return values_of_points(1, [&](int) { return point(element); });
-}
-
-ElementEnergy Tetrahedra::energy(std::size_t element) const
-{
-    if (!blocks_.is_left(element)) return {};
-    return {blocks_.slot(element, slot_work), blocks_.slot(element, slot_plastic_work), 0.0};
 }
 
 }  // namespace corpuscle

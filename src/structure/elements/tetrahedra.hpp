@@ -4,7 +4,7 @@
 #include <string>
 
 #include "mesh/mesh.hpp"
-#include "structure/elements/solids.hpp"
+#include "structure/elements/solid_elements.hpp"
 #include "structure/nodes.hpp"
 
 namespace corpuscle {
@@ -12,7 +12,7 @@ namespace corpuscle {
 /// Four-node tetrahedra whose growth of volume is averaged at the nodes (after Bonet and Burton 1998, Commun. Numer. Methods Eng. 14,
 /// 437): the mean of the four nodes' means takes the place of each one's own, and the pressure acts through the same means, so that
 /// plastic flow does not lock and energy is kept. Computed `lane_count` elements side by side.
-class Tetrahedra : public BlockElements {
+class Tetrahedra : public SolidElements<4> {
 public:
     Tetrahedra() = default;
     /// Undeformed elements at the nodes' reference positions.
@@ -20,15 +20,11 @@ public:
 
     [[nodiscard]] const char* kind() const { return "tetrahedron"; }
     [[nodiscard]] ElementShape shape(std::size_t) const { return ElementShape::tetrahedron; }
-    [[nodiscard]] int corner_count() const { return 4; }
-    [[nodiscard]] std::uint32_t node(std::size_t element, int corner) const { return corners_[element][corner]; }
-    [[nodiscard]] CornerMass corner_mass(std::size_t element) const;
 
     /// As of `Bricks`, with 4 corners an element.
     std::size_t resist(const Nodes& nodes, double duration, std::span<CornerLoad> loads);
 
     [[nodiscard]] ElementValues values(std::size_t element) const;
-    [[nodiscard]] ElementEnergy energy(std::size_t element) const;
     /// Stress and history of the element's point, in global axes.
     [[nodiscard]] SolidPoint<double> point(std::size_t element) const;
 
@@ -45,9 +41,6 @@ private:
     template <class Law>
     void load_block(const Law& law, const Nodes& nodes, double duration, std::size_t b, std::span<CornerLoad> loads);
 
-    std::vector<std::array<std::uint32_t, 4>> corners_;  ///< whole blocks
-    SolidMaterial material_;
-    BulkViscosity viscosity_;
     std::uint32_t first_node_ = 0;         ///< the part's nodes follow it
     std::vector<std::uint32_t> begin_;     ///< of each node's elements in around_; node count + 1
     std::vector<std::uint32_t> around_;    ///< elements at each node

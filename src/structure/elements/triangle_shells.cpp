@@ -2,33 +2,21 @@
 
 #include <cmath>
 
-#include "parallel/loops.hpp"
 #include "structure/elements/solids.hpp"
 
 namespace corpuscle {
 
 namespace {
 
-/// What an element keeps besides its points, by slot.
-enum Slot : int {
-    slot_thickness = 0,       ///< [m]
-    slot_mass = 1,            ///< [kg]
-    slot_gyration = 2,        ///< rotary inertia over mass [m2]
-    slot_circulation = 3,     ///< elastic force against the shear round the edges [N]
-    slot_work = 4,            ///< done on the element by its corners [J]
-    slot_hourglass_work = 5,  ///< [J]
-    slot_plastic_work = 6,    ///< [J]
-    slot_edge = 7,            ///< as meshed: 1 over the first edge's length, then the third corner's place along it and 1 over its height
-    slot_loads = 10,          ///< forces on corners 2 and 3, moments on all, global axes
+/// What an element keeps besides what all shells do, by slot.
+enum TriangleSlot : int {
+    slot_circulation = 6,  ///< elastic force against the shear round the edges [N]
+    slot_edge = 7,         ///< as meshed: 1 over the first edge's length, then the third corner's place along it and 1 over its height
+    slot_loads = 10,       ///< forces on corners 2 and 3, moments on all, global axes
     slot_points = 25,
 };
 
 using Vector = Vector3<Lanes>;
-
-int slots_of(const ShellInput<3>& input, const Material& material)
-{
-    return slot_points + static_cast<int>(input.points.size()) * slots_of_point(material.strength, plane_slots);
-}
 
 }  // namespace
 
@@ -97,39 +85,13 @@ struct TriangleShells::Frame {
     }
 };
 
-namespace {
-
-/// Square of the highest membrane frequency over 3 * plane modulus * area * thickness / mass. [1/m2]
-Lanes membrane_eigenvalue(const GradientSum<Lanes>& g, double poisson)
-{
-    const Lanes half = 0.5 * (g.xx + g.yy), gap = 0.5 * (g.xx - g.yy), spread = gap * gap + g.xy * g.xy;
-    return half + square_root(spread + poisson * poisson * (half * half - spread));
-}
-
-Lanes largest_gradient(const GradientSum<Lanes>& g)
-{
-    const Lanes gap = 0.5 * (g.xx - g.yy);
-    return 0.5 * (g.xx + g.yy) + square_root(gap * gap + g.xy * g.xy);
-}
-
-LaneCorners<3> halfway(const LaneCorners<3>& end, const LaneCorners<3>& move)
-{
-    return {end[0] - move[0] * Lanes(0.5), end[1] - move[1] * Lanes(0.5), end[2] - move[2] * Lanes(0.5)};
-}
-
-}  // namespace
-
 TriangleShells::TriangleShells(ShellInput<3> input, const Material& material, const Nodes& nodes)
-    : BlockElements({input.corners.size(), slots_of(input, material)}),
-      corners_(std::move(input.corners)),
-      section_(std::move(input.points), material, input.shear_factor, {slot_thickness, slot_plastic_work, slot_points}),
-      hourglass_(input.hourglass)
+    : ShellElements(input, material, slot_points)
 {
-    fill_blocks(corners_);
     fill_blocks(input.thickness);
     for (std::size_t b = 0; b < blocks_.block_count(); ++b) {
         Lanes* own = blocks_.block(b);
-        const Corners place = gather(nodes.reference, &corners_[b * lane_count]);
+        const Corners place = gather(nodes.reference, corners_of_block(b));
         const Vector edge = place[1] - place[0], other = place[2] - place[0], across = cross(edge, other);
         const Lanes length = square_root(dot(edge, edge)), twice_area = square_root(dot(across, across));
         store_slot(own, slot_edge, 1.0 / length);
@@ -143,12 +105,6 @@ TriangleShells::TriangleShells(ShellInput<3> input, const Material& material, co
         blocks_.set_transit(b, allowed_step(f, own));
     }
     blocks_.review();
-}
-
-CornerMass TriangleShells::corner_mass(std::size_t element) const
-{
-    const double third = blocks_.slot(element, slot_mass) / 3.0;
-    return {third, third * blocks_.slot(element, slot_gyration)};
 }
 
 /// The axes: first edge and normal, turned in the plane so that the deformation since meshing is free of rotation in them.
@@ -180,13 +136,7 @@ TriangleShells::Frame TriangleShells::frame_of(const Corners& place, const Lanes
 
 std::size_t TriangleShells::resist(const Nodes& nodes, double duration, std::span<CornerLoad> loads)
 {
-    std::visit(
-        [&]<class Law>(const Law& law) {
-            if constexpr (for_shells<Law>())
-                for_each_dynamic(blocks_.block_count(), blocks_at_a_time,
-                                 [&](std::size_t b) { resist_block(law, nodes, duration, b, loads); });
-        },
-        section_.strength);
+    for_each_block([&](const auto& law, std::size_t b) { resist_block(law, nodes, duration, b, loads); });
     return blocks_.review();
 }
 
@@ -195,7 +145,7 @@ template <class Law>
 void TriangleShells::resist_block(const Law& law, const Nodes& nodes, double duration, std::size_t b, std::span<CornerLoad> loads)
 {
     if (blocks_.gone(b)) return;
-    const auto* corners = &corners_[b * lane_count];
+    const auto* corners = corners_of_block(b);
     Lanes* own = blocks_.block(b);
     const Corners end = gather_left(blocks_, b, nodes.position, nodes.reference, corners);
     const Corners move = gather_way(blocks_, b, nodes.velocity, duration, corners);
@@ -287,13 +237,6 @@ Lanes TriangleShells::allowed_step(const Frame& f, const Lanes* own) const
     const Lanes turns = f.turn_squares() + hourglass_.shear * (1.0 / 3.0) * f.circulation_squares() / f.area;
     const Lanes shear = 3.0 * section_.shear_factor * section_.stiffness.shear() * (largest_gradient(g) + turns / gyration_now);
     return 2.0 * square_root(load_slot(own, slot_mass) / (f.area * thickness * larger(plate, shear)));
-}
-
-ElementEnergy TriangleShells::energy(std::size_t element) const
-{
-    if (!blocks_.is_left(element)) return {};
-    const double hourglass = blocks_.slot(element, slot_hourglass_work);
-    return {blocks_.slot(element, slot_work) - hourglass, blocks_.slot(element, slot_plastic_work), hourglass};
 }
 
 }  // namespace corpuscle

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "mesh/mesh.hpp"
-#include "structure/elements/shell_section.hpp"
+#include "structure/elements/shell_elements.hpp"
 #include "structure/nodes.hpp"
 
 namespace corpuscle {
@@ -16,7 +16,7 @@ namespace corpuscle {
 /// Lee and Bathe's MITC3, 2004, Comput. Struct. 82, 945), with an elastic force against the shear that runs round the edges, which the
 /// middle does not see. Axes turn with the element by the polar decomposition of its deformation in the plane. With one point and no
 /// shear factor they are membranes. Computed `lane_count` elements side by side.
-class TriangleShells : public BlockElements {
+class TriangleShells : public ShellElements<3> {
 public:
     TriangleShells() = default;
     /// Undeformed shells at the nodes' reference positions.
@@ -24,20 +24,10 @@ public:
 
     [[nodiscard]] const char* kind() const { return is_membrane() ? "membrane" : "triangle shell"; }
     [[nodiscard]] ElementShape shape(std::size_t) const { return ElementShape::triangle; }
-    [[nodiscard]] int corner_count() const { return 3; }
-    [[nodiscard]] std::uint32_t node(std::size_t element, int corner) const { return corners_[element][corner]; }
     [[nodiscard]] bool is_membrane() const { return section_.shear_factor == 0; }
-
-    /// A third of an element's mass, with a rotary inertia that lets transverse shear be no faster than plate waves.
-    [[nodiscard]] CornerMass corner_mass(std::size_t element) const;
 
     /// As of `QuadrilateralShells`, with 3 corners an element.
     std::size_t resist(const Nodes& nodes, double duration, std::span<CornerLoad> loads);
-
-    [[nodiscard]] ElementValues values(std::size_t element) const { return section_.values(blocks_, element); }
-    [[nodiscard]] ElementEnergy energy(std::size_t element) const;
-    /// Stress and history of one point through the thickness, in the element's axes.
-    [[nodiscard]] PlanePoint<double> point(std::size_t element, int point) const { return section_.point(blocks_, element, point); }
 
     std::vector<Field> state(const std::string& prefix) { return blocks_.state(prefix, "triangles"); }
 
@@ -51,10 +41,6 @@ private:
     Lanes resist_circulation(const Lanes& change, Lanes* own) const;
     [[nodiscard]] Lanes gyration(const Frame& f, const Lanes& thickness) const;
     [[nodiscard]] Lanes allowed_step(const Frame& f, const Lanes* own) const;
-
-    std::vector<std::array<std::uint32_t, 3>> corners_;  ///< whole blocks
-    ShellSection section_;
-    HourglassControl hourglass_;
 };
 
 }  // namespace corpuscle
