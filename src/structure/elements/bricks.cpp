@@ -52,7 +52,7 @@ Modes load_of(const Gradient& g, const Modes& place, const SolidStress<Lanes>& s
 
 }  // namespace
 
-Bricks::Bricks(SolidInput<8> input, const Material& material, const Nodes& nodes)
+Bricks::Bricks(const SolidInput<8>& input, const Material& material, const Nodes& nodes)
     : SolidElements(input, material, slot_point + slots_of_point(material.strength, solid_slots)),
       hourglass_stiffness_(input.hourglass_stiffness),
       hourglass_viscosity_(input.hourglass_viscosity)

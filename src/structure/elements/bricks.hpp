@@ -15,7 +15,7 @@ class Bricks : public SolidElements<8> {
 public:
     Bricks() = default;
     /// Undeformed bricks at the nodes' reference positions.
-    Bricks(SolidInput<8> input, const Material& material, const Nodes& nodes);
+    Bricks(const SolidInput<8>& input, const Material& material, const Nodes& nodes);
 
     [[nodiscard]] const char* kind() const { return "brick"; }
     [[nodiscard]] ElementShape shape(std::size_t) const { return ElementShape::hexahedron; }

@@ -99,7 +99,7 @@ Modes load_of(const Modes& place, const std::array<SolidStress<Lanes>, point_cou
 
 }  // namespace
 
-FullBricks::FullBricks(SolidInput<8> input, const Material& material, const Nodes& nodes)
+FullBricks::FullBricks(const SolidInput<8>& input, const Material& material, const Nodes& nodes)
     : SolidElements(input, material, slot_points + point_count * slots_of_point(material.strength, solid_slots)),
       point_slots_(slots_of_point(material.strength, solid_slots))
 {

@@ -16,7 +16,7 @@ class FullBricks : public SolidElements<8> {
 public:
     FullBricks() = default;
     /// Undeformed bricks at the nodes' reference positions.
-    FullBricks(SolidInput<8> input, const Material& material, const Nodes& nodes);
+    FullBricks(const SolidInput<8>& input, const Material& material, const Nodes& nodes);
 
     [[nodiscard]] const char* kind() const { return "full brick"; }
     [[nodiscard]] ElementShape shape(std::size_t) const { return ElementShape::hexahedron; }

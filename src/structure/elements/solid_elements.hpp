@@ -1,6 +1,5 @@
 #pragma once
 
-#include <utility>
 #include <variant>
 
 #include "parallel/loops.hpp"
@@ -34,8 +33,8 @@ protected:
     };
 
     SolidElements() = default;
-    SolidElements(SolidInput<N> input, const Material& material, int slots)
-        : BlockElements<N>(std::move(input.corners), slots), material_(material), viscosity_(input.viscosity)
+    SolidElements(const SolidInput<N>& input, const Material& material, int slots)
+        : BlockElements<N>(input.corners, slots), material_(material), viscosity_(input.viscosity)
     {
     }
 

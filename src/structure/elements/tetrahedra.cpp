@@ -41,7 +41,7 @@ struct TetGradient {
 
 }  // namespace
 
-Tetrahedra::Tetrahedra(SolidInput<4> input, const Material& material, const Nodes& nodes)
+Tetrahedra::Tetrahedra(const SolidInput<4>& input, const Material& material, const Nodes& nodes)
     : SolidElements(input, material, slot_point + slots_of_point(material.strength, solid_slots))
 {
     connect();

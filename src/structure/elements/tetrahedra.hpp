@@ -16,7 +16,7 @@ class Tetrahedra : public SolidElements<4> {
 public:
     Tetrahedra() = default;
     /// Undeformed elements at the nodes' reference positions.
-    Tetrahedra(SolidInput<4> input, const Material& material, const Nodes& nodes);
+    Tetrahedra(const SolidInput<4>& input, const Material& material, const Nodes& nodes);
 
     [[nodiscard]] const char* kind() const { return "tetrahedron"; }
     [[nodiscard]] ElementShape shape(std::size_t) const { return ElementShape::tetrahedron; }
