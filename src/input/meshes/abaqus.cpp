@@ -66,11 +66,17 @@ private:
     void begin(const AbaqusKeyword& keyword)
     {
         static const std::map<std::string, void (AbaqusReader::*)(const AbaqusKeyword&)> known{
-            {"NODE", &AbaqusReader::begin_nodes},        {"ELEMENT", &AbaqusReader::begin_elements},
-            {"NSET", &AbaqusReader::begin_set},          {"ELSET", &AbaqusReader::begin_set},
-            {"PART", &AbaqusReader::begin_part},         {"END PART", &AbaqusReader::end_part},
-            {"INSTANCE", &AbaqusReader::begin_instance}, {"END INSTANCE", &AbaqusReader::end_instance},
-            {"SYSTEM", &AbaqusReader::begin_system},     {"SURFACE", &AbaqusReader::begin_surface}};
+            {"NODE", &AbaqusReader::begin_nodes},
+            {"ELEMENT", &AbaqusReader::begin_elements},
+            {"NSET", &AbaqusReader::begin_set},
+            {"ELSET", &AbaqusReader::begin_set},
+            {"PART", &AbaqusReader::begin_part},
+            {"END PART", &AbaqusReader::end_part},
+            {"INSTANCE", &AbaqusReader::begin_instance},
+            {"END INSTANCE", &AbaqusReader::end_instance},
+            {"SYSTEM", &AbaqusReader::begin_system},
+            {"SURFACE", &AbaqusReader::begin_surface},
+            {"SHELL SECTION", &AbaqusReader::begin_section}};
         if (keyword.name == "INCLUDE") return include(keyword);  // what is read goes on in the other file
         maker_.finish();
         data_ = nullptr;
@@ -176,6 +182,23 @@ private:
         if (!(norm(z) > 0))
             lines_.fail("the points of the system lie on each other or on a line", "give an origin and two points that differ");
         system_ = {normalized(x), cross(normalized(z), normalized(x)), normalized(z), origin};
+    }
+
+    /// *SHELL SECTION: a set of elements, and their thickness first on the next line. The case says those that count: these are only told.
+    void begin_section(const AbaqusKeyword& keyword)
+    {
+        section_ = keyword.of("ELSET");
+        if (keyword.has("COMPOSITE") || section_.empty())
+            passed_.insert("*SHELL SECTION, COMPOSITE");
+        else
+            data_ = &AbaqusReader::read_section;
+    }
+
+    void read_section()
+    {
+        data_ = nullptr;
+        const double thickness = real_field(lines_, comma_fields(lines_.text())[0], "a thickness");
+        if (thickness > 0) thicknesses_[section_] = thickness;
     }
 
     /// *SURFACE: sides of elements, or nodes; kept as a set of nodes.
@@ -363,6 +386,11 @@ private:
         for (const auto& [type, count] : left_out_)
             mesh.remarks.push_back(fmt::format("{} elements of type {} are not computed, only the sets of their nodes are kept{}", count,
                                                type, type == "MASS" ? ": give their mass with point_masses" : ""));
+        std::vector<std::string> told;
+        for (const auto& [set, thickness] : thicknesses_) told.push_back(fmt::format("{} {:.6g}", set, thickness));
+        if (!told.empty())
+            mesh.remarks.push_back(
+                fmt::format("thicknesses in the file, in its unit, which do not count (the case says them): {}", fmt::join(told, ", ")));
         if (!passed_.empty()) mesh.remarks.push_back(fmt::format("passed over: {}", fmt::join(passed_, ", ")));
     }
 
@@ -384,8 +412,10 @@ private:
     std::string set_instance_;
     AbaqusElement kind_;
     std::string type_;
-    std::map<std::string, int> left_out_;  ///< types of elements that are not kept
-    std::set<std::string> passed_;         ///< keywords that were not read
+    std::string section_;
+    std::map<std::string, double> thicknesses_;  ///< of sets of elements, in the file's unit
+    std::map<std::string, int> left_out_;        ///< types of elements that are not kept
+    std::set<std::string> passed_;               ///< keywords that were not read
 };
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include "input/meshes/dyna_cards.hpp"
 #include "input/meshes/dyna_sets.hpp"
+#include "input/meshes/dyna_thicknesses.hpp"
 #include "input/meshes/dyna_transformations.hpp"
 #include "input/meshes/numbered_mesh.hpp"
 
@@ -28,7 +29,9 @@ bool is_whole_number(std::string_view field)
 
 class DynaReader {
 public:
-    explicit DynaReader(Scanner scanner) : cards_(std::move(scanner)), sets_(cards_, mesh_), transformations_(cards_) {}
+    explicit DynaReader(Scanner scanner) : cards_(std::move(scanner)), sets_(cards_, mesh_), transformations_(cards_), thicknesses_(cards_)
+    {
+    }
 
     Mesh read()
     {
@@ -105,6 +108,7 @@ private:
             {"SET_SEGMENT", {&DynaReader::read_set, &DynaReader::begin_set<DynaSetKind::segments>}},
             {"PARAMETER", {&DynaReader::read_parameters, &DynaReader::begin_parameters}},
             {"DEFINE_TRANSFORMATION", {&DynaReader::read_transformation, &DynaReader::begin_transformation}},
+            {"SECTION_SHELL", {&DynaReader::read_section, &DynaReader::begin_section}},
             {"INCLUDE", {&DynaReader::read_include}},
             {"INCLUDE_PATH", {&DynaReader::read_path}},
             {"INCLUDE_PATH_RELATIVE", {&DynaReader::read_path}},
@@ -301,6 +305,7 @@ private:
             return;
         }
         titles_.emplace_back(title_, part_number(card, 0));
+        thicknesses_.set_section(titles_.back().second, dyna_number(cards_, card, 1, "the number of a section") + cards_.file().part);
     }
 
     /// Parts are found by their titles, too.
@@ -322,6 +327,15 @@ private:
     }
 
     void read_set() { sets_.read(); }
+
+    void begin_section(const std::string& options)
+    {
+        if (thicknesses_.begin(options)) return;
+        data_ = nullptr;
+        passed_.insert("*" + word_);
+    }
+
+    void read_section() { thicknesses_.read(); }
 
     // Parameters, transformations, included files
 
@@ -414,9 +428,10 @@ private:
         for (const auto& [word, count] : left_out_)
             mesh.remarks.push_back(fmt::format(
                 "{} elements of *{} are not computed: they are missing in the structure, only sets of their nodes are kept", count, word));
+        if (const std::string remark = thicknesses_.remark(parts_with_elements_); !remark.empty()) mesh.remarks.push_back(remark);
         if (masses_ > 0)
             mesh.remarks.push_back(fmt::format(
-                "{} point masses (*ELEMENT_MASS) are not taken: give them with point_masses (their nodes are the set 'element_mass')",
+                "point masses (*ELEMENT_MASS, {}) are not taken: give them with point_masses (their nodes are the set 'element_mass')",
                 masses_));
         if (!missing.empty()) mesh.remarks.push_back(fmt::format("sets name parts without shells or solids: {}", fmt::join(missing, ", ")));
         if (!passed_.empty()) mesh.remarks.push_back(fmt::format("passed over: {}", fmt::join(passed_, ", ")));
@@ -433,6 +448,7 @@ private:
     NumberedMesh mesh_;
     DynaSets sets_;
     DynaTransformations transformations_;
+    DynaThicknesses thicknesses_;
     Data data_ = nullptr;  ///< what reads the lines of the present keyword
     std::string word_;     ///< the present keyword
     int line_in_card_ = 0;

@@ -137,7 +137,8 @@ TEST(DeckMeshes, LanguagesAreToldApartByContentAndUnitsAreConverted)
 
 TEST(DeckMeshes, WhatIsPassedOverIsNamed)
 {
-    EXPECT_THAT(read_abaqus(Scanner("case.inp", abaqus_text())).remarks, ElementsAre(HasSubstr("*SHELL SECTION")));
+    EXPECT_THAT(read_abaqus(Scanner("case.inp", abaqus_text() + "*MATERIAL, NAME=STEEL\n")).remarks,
+                ElementsAre(AllOf(HasSubstr("thicknesses"), HasSubstr(": HULL 0.01")), HasSubstr("*MATERIAL")));
     EXPECT_THAT(read_dyna_mesh(Scanner("case.k", dyna_text("comma"))).remarks, ElementsAre(HasSubstr("*MAT_ELASTIC")));
     const std::string mass = abaqus_text() + "*ELEMENT, TYPE=MASS, ELSET=ballast\n99, 70\n*ELEMENT, TYPE=T3D2, ELSET=wire\n98, 1, 2\n";
     const Mesh mesh = read_abaqus(Scanner("case.inp", mass));

@@ -322,10 +322,19 @@ TEST(DynaDecks, BeamsSpringsAndMassesAreCountedAndLeftOut)
                            "*ELEMENT_MASS\n1,6,2.5\n*ELEMENT_BEAM_ORIENTATION\n3,5,1,2\n1.,0.,0.\n");
     EXPECT_EQ(mesh.elements.size(), 2u);
     EXPECT_THAT(mesh.remarks, Contains(HasSubstr("2 elements of *ELEMENT_BEAM are not computed")));
-    EXPECT_THAT(mesh.remarks, Contains(AllOf(HasSubstr("1 point masses"), HasSubstr("point_masses"))));
+    EXPECT_THAT(mesh.remarks, Contains(AllOf(HasSubstr("*ELEMENT_MASS, 1"), HasSubstr("point_masses"))));
     EXPECT_THAT(mesh.remarks, Contains(HasSubstr("*ELEMENT_BEAM_ORIENTATION")));
     EXPECT_THAT(select_nodes(mesh, "part_5"), ElementsAre(0, 1, 2));
     EXPECT_THAT(select_nodes(mesh, "element_mass"), ElementsAre(5));
+}
+
+TEST(DynaDecks, ThicknessesAreTold)
+{
+    const std::string sections = "*SECTION_SHELL_TITLE\nlaminate\n4,2,,2,,,1\n3.,3.,3.,3.\n0.,90.\n\n1,16,,5\n       8.0       8.0\n";
+    const Mesh mesh = deck("*KEYWORD\n" + strip_nodes + strip_sets + sections + "*SECTION_SHELL\n2,2\n5.\n3,2\n6.\n" +
+                           "*SECTION_SHELL\n9,101\nits,own\n");
+    EXPECT_THAT(mesh.remarks, ElementsAre(AllOf(HasSubstr("the case says them"), HasSubstr(": part_7 8"))));
+    EXPECT_THAT(deck_refusal("*KEYWORD\n" + strip_nodes + "*SECTION_SHELL\n1\nthick\n"), HasSubstr("'thick' is not a number"));
 }
 
 TEST(DynaDecks, CutOrDamagedDecksAreReadOrRefusedButNeverMore)
