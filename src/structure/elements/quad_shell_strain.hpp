@@ -20,6 +20,7 @@ struct ShellHourglass {
     Real stretch_x, stretch_y;  ///< in-plane [m], force [N]
     Real turn_x, turn_y;        ///< rotations [rad], moment [N m]
     Real shear_s, shear_t;      ///< half the difference of opposite edges' shear [m], force [N]
+    Real drill;                 ///< corners' mean rotation about the normal beyond the spin of the plane [rad], moment [N m]
 };
 
 /// Forces and moments over the element's area: what does work on ShellStrain.
@@ -68,7 +69,8 @@ ShellHourglass<Real> hourglass_of(const QuadFrame<Real>& f, const QuadModes<Real
             beyond_linear(turn.twist.x, turn.s.x, turn.t.x),
             beyond_linear(turn.twist.y, turn.s.y, turn.t.y),
             common + 0.5 * (turn.t.y * f.sx - turn.t.x * f.sy),
-            common + 0.5 * (turn.s.y * f.tx - turn.s.x * f.ty)};
+            common + 0.5 * (turn.s.y * f.tx - turn.s.x * f.ty),
+            turn.mean.z - 0.5 * (f.along_x(move.s.y, move.t.y) - f.along_y(move.s.x, move.t.x))};
 }
 
 /// Loads on the corners' motion and rotation, in the element's axes, as modes.
@@ -87,8 +89,9 @@ ShellLoad<Real> load_of(const QuadFrame<Real>& f, const ShellResultant<Real>& r,
     const Real vs = twist * (r.bend_yy * f.ty + r.bend_xy * f.tx), vt = twist * (r.bend_yy * f.sy + r.bend_xy * f.sx);
     const Real half_spin = 0.5 * (us * f.sy + ut * f.ty - vs * f.sx - vt * f.tx);
     // loads on the gradients, x and y derivative of each component
-    const Real ux = r.xx - f.gx * h.stretch_x, uy = r.xy - half_spin - f.gy * h.stretch_x;
-    const Real vx = r.xy + half_spin - f.gx * h.stretch_y, vy = r.yy - f.gy * h.stretch_y;
+    const Real plane_spin = half_spin - 0.5 * h.drill;
+    const Real ux = r.xx - f.gx * h.stretch_x, uy = r.xy - plane_spin - f.gy * h.stretch_x;
+    const Real vx = r.xy + plane_spin - f.gx * h.stretch_y, vy = r.yy - f.gy * h.stretch_y;
     const Real wx = f.warp * h.stretch_x, wy = f.warp * h.stretch_y;
     const Real ax = -r.bend_xy - f.gx * h.turn_x, ay = -r.bend_yy - f.gy * h.turn_x;
     const Real bx = r.bend_xx - f.gx * h.turn_y, by = r.bend_xy - f.gy * h.turn_y;
@@ -101,7 +104,7 @@ ShellLoad<Real> load_of(const QuadFrame<Real>& f, const ShellResultant<Real>& r,
     load.force.s = {on_s(ux, uy) + us, on_s(vx, vy) + vs, on_s(wx, wy) + shear_s};
     load.force.t = {on_t(ux, uy) + ut, on_t(vx, vy) + vt, on_t(wx, wy) + shear_t};
     load.force.twist = {h.stretch_x, h.stretch_y, both};
-    load.moment.mean = {-shear_s * f.sy - shear_t * f.ty - both * f.gy, shear_s * f.sx + shear_t * f.tx + both * f.gx, zero};
+    load.moment.mean = {-shear_s * f.sy - shear_t * f.ty - both * f.gy, shear_s * f.sx + shear_t * f.tx + both * f.gx, h.drill};
     load.moment.s = {on_s(ax, ay) - shear_t * f.gy - 0.5 * h.shear_t * f.ty, on_s(bx, by) + shear_t * f.gx + 0.5 * h.shear_t * f.tx, zero};
     load.moment.t = {on_t(ax, ay) - shear_s * f.gy - 0.5 * h.shear_s * f.sy, on_t(bx, by) + shear_s * f.gx + 0.5 * h.shear_s * f.sx, zero};
     load.moment.twist = {h.turn_x, h.turn_y, zero};

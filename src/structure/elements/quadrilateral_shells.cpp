@@ -9,8 +9,8 @@ namespace {
 
 /// What an element keeps besides what all shells do, by slot.
 enum QuadSlot : int {
-    slot_hourglass = 6,  ///< six elastic forces and moments against hourglass modes
-    slot_points = 12,
+    slot_hourglass = 6,  ///< seven elastic forces and moments against hourglass modes
+    slot_points = 13,
 };
 
 using LaneFrame = QuadFrame<Lanes>;
@@ -100,21 +100,23 @@ ShellHourglass<Lanes> QuadrilateralShells::resist_hourglass(const QuadFrame<Lane
     const Lanes shear = hourglass_.shear * section_.shear_factor * section_.stiffness.shear() * (1.0 / 3.0) * thickness * f.inverse_area;
     const Lanes membrane = hourglass_.membrane * stretch, bending = hourglass_.bending * stretch * turn_lever;
     const double damping = hourglass_.viscosity * std::sqrt(section_.density * section_.stiffness.plane()) / duration;
+    const Lanes drill = hourglass_.drill * section_.stiffness.shear() * area_thickness;
     const Lanes viscous = damping * thickness * square_root(f.area), viscous_turn = viscous * turn_lever;
     const Lanes stiffnesses[] = {
-        membrane, membrane, bending, bending, shear * (f.tx * f.tx + f.ty * f.ty), shear * (f.sx * f.sx + f.sy * f.sy)};
-    const Lanes viscosities[] = {viscous, viscous, viscous_turn, viscous_turn, viscous, viscous};
-    const Lanes* changes[] = {&change.stretch_x, &change.stretch_y, &change.turn_x, &change.turn_y, &change.shear_s, &change.shear_t};
-    Lanes forces[6];
+        membrane, membrane, bending, bending, shear * (f.tx * f.tx + f.ty * f.ty), shear * (f.sx * f.sx + f.sy * f.sy), drill};
+    const Lanes viscosities[] = {viscous, viscous, viscous_turn, viscous_turn, viscous, viscous, viscous_turn};
+    const Lanes* changes[] = {&change.stretch_x, &change.stretch_y, &change.turn_x, &change.turn_y,
+                              &change.shear_s,   &change.shear_t,   &change.drill};
+    Lanes forces[7];
     Lanes spent = load_slot(own, slot_hourglass_work);
-    for (int i = 0; i < 6; ++i) {
+    for (int i = 0; i < 7; ++i) {
         const Lanes before = load_slot(own, slot_hourglass + i), rise = stiffnesses[i] * *changes[i], drag = viscosities[i] * *changes[i];
         store_slot(own, slot_hourglass + i, before + rise);
         forces[i] = before + rise + drag;
         spent = spent + (before + 0.5 * rise + drag) * *changes[i];
     }
     store_slot(own, slot_hourglass_work, spent);
-    return {forces[0], forces[1], forces[2], forces[3], forces[4], forces[5]};
+    return {forces[0], forces[1], forces[2], forces[3], forces[4], forces[5], forces[6]};
 }
 
 /// 2 / (highest frequency): of plate waves, of bending where the thickness has grown, of transverse shear. [s]

@@ -29,7 +29,7 @@ std::vector<double> numbers(const ShellStrain<double>& e)
 
 std::vector<double> numbers(const ShellHourglass<double>& h)
 {
-    return {h.stretch_x, h.stretch_y, h.turn_x, h.turn_y, h.shear_s, h.shear_t};
+    return {h.stretch_x, h.stretch_y, h.turn_x, h.turn_y, h.shear_s, h.shear_t, h.drill};
 }
 
 TEST(QuadModes, SplitAndLoadAreTransposed)
@@ -80,13 +80,13 @@ TEST(ShellStrain, LoadsAreItsTranspose)
         const QuadModes<double> move = modes_of(random_corners(random)), turn = modes_of(random_corners(random));
         const Corners a = random_corners(random), b = random_corners(random);
         const ShellResultant<double> r{a[0].x, a[0].y, a[0].z, a[1].x, a[1].y, a[1].z, a[2].x, a[2].y};
-        const ShellHourglass<double> h{b[0].x, b[0].y, b[0].z, b[1].x, b[1].y, b[1].z};
+        const ShellHourglass<double> h{b[0].x, b[0].y, b[0].z, b[1].x, b[1].y, b[1].z, b[2].x};
         const ShellLoad<double> load = load_of(f, r, h);
         const ShellStrain<double> e = strain_of(f, move, turn);
         const ShellHourglass<double> q = hourglass_of(f, move, turn);
         double expected = r.xx * e.xx + r.yy * e.yy + r.xy * e.xy + r.bend_xx * e.bend_xx + r.bend_yy * e.bend_yy + r.bend_xy * e.bend_xy +
                           r.zx * e.zx + r.yz * e.yz;
-        for (std::size_t k = 0; k < 6; ++k) expected += numbers(h)[k] * numbers(q)[k];
+        for (std::size_t k = 0; k < 7; ++k) expected += numbers(h)[k] * numbers(q)[k];
         EXPECT_NEAR(work(load.force, move) + work(load.moment, turn), expected, 1e-12);
     }
 }
@@ -100,7 +100,8 @@ TEST(ShellStrain, LinearFieldGivesItsGradientAndNoHourglass)
     for (int c = 0; c < 4; ++c) {
         const Vector3d& x = flat[c];
         move[c] = {0.3 * x.x + 0.2 * x.y, -0.1 * x.x + 0.7 * x.y, 0.5 * 0.4 * x.x * x.x + 0.5 * 0.6 * x.y * x.y + 0.3 * x.x * x.y};
-        turn[c] = {0.6 * x.y + 0.3 * x.x, -0.4 * x.x - 0.3 * x.y, 0.0};  // the slopes of w, so that there is no shear
+        turn[c] = {0.6 * x.y + 0.3 * x.x, -0.4 * x.x - 0.3 * x.y,
+                   -0.15};  // the slopes of w, so that there is no shear, and the plane's spin
     }
     const QuadModes<double> m = f.to_local(modes_of(move)), t = f.to_local(modes_of(turn));
     const ShellStrain<double> e = strain_of(f, m, t);

@@ -16,7 +16,7 @@ constexpr double side = 0.4, thickness = 0.01, tiny = 1e-9;
 struct Case {
     const char* name;
     bool solid;
-    int free_modes;           ///< of one element alone: rigid motion, and for shells turning of each node about the normal
+    int free_modes;           ///< of one element alone: rigid motion, and for shells turning of nodes about the normal, in four-node shells but for its mean
     double bending_order;     ///< of the energy's error in pure bending; 0: exact, -1: bends freely
     double least_step_share;  ///< stable step over that of the element's highest frequency, at least; never above 1
     std::function<PartDescription(int n, double crook)> part;
@@ -45,7 +45,7 @@ PartDescription tetrahedra(int n, double crook)
 }
 
 const std::vector<Case> cases{
-    {"FourNodeShell", false, 10, 0.0, 0.99,
+    {"FourNodeShell", false, 9, 0.0, 0.99,
      [](int n, double crook) { return plate(square_mesh(n, side, crook), elastic_steel(), thickness); }},
     {"ThreeNodeShell", false, 9, 0.0, 0.7,
      [](int n, double crook) { return plate(triangle_mesh(n, side, crook), elastic_steel(), thickness); }},

@@ -141,7 +141,7 @@ int free_modes(const HourglassControl& hourglass)
 
 TEST(Motion, OnlyRigidAndDrillingModesAreFree)
 {
-    EXPECT_EQ(free_modes({}), 6 + 4);                     // rigid motion, and turning of each node about the normal
+    EXPECT_EQ(free_modes({}), 6 + 3);                     // rigid motion, and turning of each node about the normal
     EXPECT_EQ(free_modes({0.0, 0.0, 0.0, 0.0}), 10 + 6);  // what hourglass control is for
     EXPECT_EQ(free_modes({0.05, 0.05, 0.0, 0.0}), 10 + 2);
 }

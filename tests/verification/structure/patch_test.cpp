@@ -50,7 +50,7 @@ const double plane = 212e9 / (1.0 - 0.28 * 0.28), shear = 212e9 / 2.56;
 TEST(Patch, MembraneStressIsConstantOnADistortedMesh)
 {
     const Structure s = deformed([](const Vector3d& x) { return rate * Vector3d{x.x + 0.5 * x.y, 0.3 * x.y + 0.2 * x.x, 0.0}; },
-                                 [](const Vector3d&) { return Vector3d{}; });
+                                 [](const Vector3d&) { return rate * Vector3d{0.0, 0.0, 0.5 * (0.2 - 0.5)}; });  // the plane's spin
     const double sum = plane * rate * 1.28 * 1.3, gap = plane * rate * 0.72 * 0.7, tangent = shear * rate * 0.7;
     for (std::size_t e = 0; e < s.element_count(); ++e) {
         for (int p = 0; p < 5; ++p) {
