@@ -18,7 +18,7 @@ Mesh twisted_mesh(int n, int across)
     for (int i = 0; i <= n; ++i)
         for (int j = 0; j <= across; ++j) {
             const double turn = 0.5 * std::numbers::pi * i / n, y = width * (static_cast<double>(j) / across - 0.5);
-            mesh.nodes.push_back({length * i / n, y * std::cos(turn), y * std::sin(turn)});
+            mesh.nodes.emplace_back(length * i / n, y * std::cos(turn), y * std::sin(turn));
         }
     const auto row = static_cast<std::uint32_t>(across + 1);
     for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(n); ++i)
