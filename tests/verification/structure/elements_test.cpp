@@ -16,7 +16,8 @@ constexpr double side = 0.4, thickness = 0.01, tiny = 1e-9;
 struct Case {
     const char* name;
     bool solid;
-    int free_modes;           ///< of one element alone: rigid motion, and for shells turning of nodes about the normal, in four-node shells but for its mean
+    int free_modes;  ///< of one element alone: rigid motion, and for shells turning of nodes about the normal, in four-node shells but for
+                     ///< its mean
     double bending_order;     ///< of the energy's error in pure bending; 0: exact, -1: bends freely
     double least_step_share;  ///< stable step over that of the element's highest frequency, at least; never above 1
     std::function<PartDescription(int n, double crook)> part;

@@ -54,8 +54,8 @@ double deflection(int axis, double period)
 }
 
 /// MacNeal and Harder 1985 (Finite Elem. Anal. Des. 1, 3): 5.424e-3 m along the free end's width, 1.754e-3 m across it. Without the
-/// stiffness against turning about the normal the strip was tens of times too soft. Elements of half a metre are coarse and the mean keeps 1e-3
-/// of the swing, so 4 %, which the reference's own coarse meshes need.
+/// stiffness against turning about the normal the strip was tens of times too soft. Elements of half a metre are coarse and the mean keeps
+/// 1e-3 of the swing, so 4 %, which the reference's own coarse meshes need.
 TEST(TwistedStrip, IsAsStiffAsTheory)
 {
     EXPECT_NEAR(deflection(2, 0.5) / 5.424e-3, 1, 0.04);
