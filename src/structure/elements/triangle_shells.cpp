@@ -11,9 +11,10 @@ namespace {
 /// What an element keeps besides what all shells do, by slot.
 enum TriangleSlot : int {
     slot_circulation = 6,  ///< elastic force against the shear round the edges [N]
-    slot_edge = 7,         ///< as meshed: 1 over the first edge's length, then the third corner's place along it and 1 over its height
-    slot_loads = 10,       ///< forces on corners 2 and 3, moments on all, global axes
-    slot_points = 25,
+    slot_drill = 7,        ///< elastic moment against the corners' mean turning about the normal [N m]
+    slot_edge = 8,         ///< as meshed: 1 over the first edge's length, then the third corner's place along it and 1 over its height
+    slot_loads = 11,       ///< forces on corners 2 and 3, moments on all, global axes
+    slot_points = 26,
 };
 
 using Vector = Vector3<Lanes>;
@@ -46,6 +47,13 @@ struct TriangleShells::Frame {
         const Lanes round = g[0] + g[1] + g[2], third = round * (1.0 / 3.0);
         const Lanes along = g[0] - third, back = third - g[2];
         return {bx[1] * along + bx[2] * back, by[1] * along + by[2] * back, round};
+    }
+    /// Corners' mean turning about the normal beyond the plane's spin, of local motion and rotation. [rad]
+    [[nodiscard]] Lanes drill_of(const Corners& move, const Corners& turn) const
+    {
+        Lanes sum = (turn[0].z + turn[1].z + turn[2].z) * (1.0 / 3.0);
+        for (int i = 0; i < 3; ++i) sum = sum - 0.5 * (bx[i] * move[i].y - by[i] * move[i].x);
+        return sum;
     }
     /// Sum of the squares of the middle's shear by each rotation. [1]
     [[nodiscard]] Lanes turn_squares() const
@@ -170,14 +178,15 @@ void TriangleShells::resist_block(const Law& law, const Nodes& nodes, double dur
     e.zx = shear.zx;
     e.yz = shear.yz;
     const ShellResultant<Lanes> n = section_.stretch(law, e, middle.area, duration, own);
-    const Lanes round = resist_circulation(shear.circulation, own);
+    const Lanes round = resist_unseen(circulation_stiffness(own), shear.circulation, slot_circulation, own);
+    const Lanes drill = resist_unseen(drill_stiffness(middle, own), middle.drill_of(u, r), slot_drill, own);
 
     const Frame f = frame_of(end, own);
     Corners force, moment;
     for (int i = 0; i < 3; ++i) {
         const Lanes bx = f.bx[i] * f.area, by = f.by[i] * f.area;
-        force[i] = {bx * n.xx + by * n.xy, by * n.yy + bx * n.xy, 0.0};
-        moment[i] = {-by * n.bend_yy - bx * n.bend_xy, bx * n.bend_xx + by * n.bend_xy, 0.0};
+        force[i] = {bx * n.xx + by * n.xy + 0.5 * drill * f.by[i], by * n.yy + bx * n.xy - 0.5 * drill * f.bx[i], 0.0};
+        moment[i] = {-by * n.bend_yy - bx * n.bend_xy, bx * n.bend_xx + by * n.bend_xy, drill * (1.0 / 3.0)};
     }
     // loads on the three edges' shear: the transpose of Frame::shear_of
     const Lanes along = (n.zx * f.bx[1] + n.yz * f.by[1]) * f.area, back = (n.zx * f.bx[2] + n.yz * f.by[2]) * f.area;
@@ -204,13 +213,24 @@ void TriangleShells::resist_block(const Law& law, const Nodes& nodes, double dur
     blocks_.set_transit(b, allowed_step(f, own) + 0.0 * total);  // not a number if either is not
 }
 
-/// Elastic force that remembers, against the shear that runs round the edges; counts its work. [N]
-Lanes TriangleShells::resist_circulation(const Lanes& change, Lanes* own) const
+/// Of the force against the shear that runs round the edges. [N/m]
+Lanes TriangleShells::circulation_stiffness(const Lanes* own) const
 {
-    const Lanes stiffness =
-        hourglass_.shear * section_.shear_factor * section_.stiffness.shear() * (1.0 / 3.0) * load_slot(own, slot_thickness);
-    const Lanes before = load_slot(own, slot_circulation), rise = stiffness * change;
-    store_slot(own, slot_circulation, before + rise);
+    return hourglass_.shear * section_.shear_factor * section_.stiffness.shear() * (1.0 / 3.0) * load_slot(own, slot_thickness);
+}
+
+/// Of the moment against the corners' mean turning about the normal; membranes have none. [N m]
+Lanes TriangleShells::drill_stiffness(const Frame& f, const Lanes* own) const
+{
+    if (is_membrane()) return 0.0;
+    return hourglass_.drill * section_.stiffness.shear() * f.area * load_slot(own, slot_thickness);
+}
+
+/// Elastic load that remembers, in `slot`, against a change that the strain does not see; counts its work.
+Lanes TriangleShells::resist_unseen(const Lanes& stiffness, const Lanes& change, int slot, Lanes* own) const
+{
+    const Lanes before = load_slot(own, slot), rise = stiffness * change;
+    store_slot(own, slot, before + rise);
     store_slot(own, slot_hourglass_work, load_slot(own, slot_hourglass_work) + (before + 0.5 * rise) * change);
     return before + rise;
 }

@@ -38,7 +38,9 @@ private:
     [[nodiscard]] Frame frame_of(const Corners& place, const Lanes* own) const;
     template <class Law>
     void resist_block(const Law& law, const Nodes& nodes, double duration, std::size_t b, std::span<CornerLoad> loads);
-    Lanes resist_circulation(const Lanes& change, Lanes* own) const;
+    [[nodiscard]] Lanes circulation_stiffness(const Lanes* own) const;
+    [[nodiscard]] Lanes drill_stiffness(const Frame& f, const Lanes* own) const;
+    Lanes resist_unseen(const Lanes& stiffness, const Lanes& change, int slot, Lanes* own) const;
     [[nodiscard]] Lanes gyration(const Frame& f, const Lanes& thickness) const;
     [[nodiscard]] Lanes allowed_step(const Frame& f, const Lanes* own) const;
 };
