@@ -7,11 +7,11 @@
 
 #include <fmt/format.h>
 
-#include "base/error.hpp"
 #include "input/meshes/abaqus.hpp"
 #include "input/meshes/read_mesh.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/selection.hpp"
+#include "unit/input/meshes/refusal.hpp"
 
 namespace corpuscle {
 namespace {
@@ -28,12 +28,7 @@ Mesh abaqus_deck(const std::string& text)
 
 std::string abaqus_deck_refusal(const std::string& text)
 {
-    try {
-        (void)abaqus_deck(text);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "accepted";
+    return refusal_of([&] { return abaqus_deck(text); });
 }
 
 const std::string six_nodes = "1,0,0,0\n2,1,0,0\n3,2,0,0\n4,0,1,0\n5,1,1,0\n6,2,1,0\n";

@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "base/error.hpp"
 #include "input/meshes/abaqus.hpp"
 #include "input/meshes/dyna_mesh.hpp"
 #include "input/meshes/gmsh.hpp"
@@ -15,6 +14,7 @@
 #include "mesh/measure.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/selection.hpp"
+#include "unit/input/meshes/refusal.hpp"
 
 namespace corpuscle {
 namespace {
@@ -22,17 +22,6 @@ namespace {
 using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
-
-template <class Read>
-std::string refusal_of(Read&& read)
-{
-    try {
-        (void)read();
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "accepted";
-}
 
 std::string abaqus_refusal_of(const std::string& text)
 {

@@ -7,12 +7,12 @@
 
 #include <fmt/format.h>
 
-#include "base/error.hpp"
 #include "input/meshes/dyna_mesh.hpp"
 #include "input/meshes/read_mesh.hpp"
 #include "mesh/measure.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/selection.hpp"
+#include "unit/input/meshes/refusal.hpp"
 
 namespace corpuscle {
 namespace {
@@ -29,12 +29,7 @@ Mesh deck(const std::string& text)
 
 std::string deck_refusal(const std::string& text)
 {
-    try {
-        (void)deck(text);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "accepted";
+    return refusal_of([&] { return deck(text); });
 }
 
 /// Files of a deck in a folder of their own, which goes with this.

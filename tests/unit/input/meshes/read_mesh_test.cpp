@@ -10,7 +10,6 @@
 
 #include <fmt/format.h>
 
-#include "base/error.hpp"
 #include "input/meshes/gmsh.hpp"
 #include "input/meshes/scanner.hpp"
 #include "input/meshes/stl.hpp"
@@ -20,6 +19,7 @@
 #include "mesh/quality.hpp"
 #include "mesh/selection.hpp"
 #include "mesh/shape.hpp"
+#include "unit/input/meshes/refusal.hpp"
 
 namespace corpuscle {
 namespace {
@@ -41,25 +41,14 @@ std::string content(const std::string& name)
     return text.str();
 }
 
-template <class Read>
-std::string refusal(Read&& read)
-{
-    try {
-        (void)read();
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "accepted";
-}
-
 std::string gmsh_refusal(const std::string& text)
 {
-    return refusal([&] { return read_gmsh(Scanner("case.msh", text)); });
+    return refusal_of([&] { return read_gmsh(Scanner("case.msh", text)); });
 }
 
 std::string stl_refusal(const std::string& text)
 {
-    return refusal([&] { return read_stl(Scanner("case.stl", text)); });
+    return refusal_of([&] { return read_stl(Scanner("case.stl", text)); });
 }
 
 std::string replaced(std::string text, const std::string& what, const std::string& with)
@@ -212,7 +201,7 @@ TEST(ReadGmsh, NamesLineAndColumn)
 
 TEST(ReadGmsh, RefusesHigherOrdersByName)
 {
-    EXPECT_THAT(refusal([] { return read_mesh(data("second_order.msh")); }),
+    EXPECT_THAT(refusal_of([] { return read_mesh(data("second_order.msh")); }),
                 AllOf(HasSubstr("second_order.msh:"), HasSubstr("(second order) is not supported"), HasSubstr("ElementOrder")));
     EXPECT_THAT(gmsh_refusal(replaced(content("sheet_2.2_text.msh"), "14 3 2 10 1 1 7 14 10", "14 6 2 10 1 1 7 14 10")),
                 HasSubstr("6-node prism"));
@@ -316,17 +305,17 @@ TEST(ReadStl, RefusesWithLineOrByte)
 
 TEST(ReadMesh, RefusesOtherFilesAndUnits)
 {
-    EXPECT_THAT(refusal([] { return read_mesh(data("none.msh")); }), HasSubstr("cannot be read"));
-    EXPECT_THAT(refusal([] { return read_mesh(data("brick.geo")); }),
+    EXPECT_THAT(refusal_of([] { return read_mesh(data("none.msh")); }), HasSubstr("cannot be read"));
+    EXPECT_THAT(refusal_of([] { return read_mesh(data("brick.geo")); }),
                 AllOf(HasSubstr("brick.geo:1:1"), HasSubstr("no mesh file that is known")));
-    EXPECT_THAT(refusal([] { return read_mesh(data("sheet_2.2_text.msh"), 0.0); }), HasSubstr("unit"));
+    EXPECT_THAT(refusal_of([] { return read_mesh(data("sheet_2.2_text.msh"), 0.0); }), HasSubstr("unit"));
     const auto file = std::filesystem::temp_directory_path() / fmt::format("corpuscle_old_{}.msh", ::getpid());
     std::ofstream(file) << "$NOD\n1\n1 0 0 0\n$ENDNOD\n";
-    EXPECT_THAT(refusal([&] { return read_mesh(file.string()); }), HasSubstr("gmsh format 1 is not supported"));
+    EXPECT_THAT(refusal_of([&] { return read_mesh(file.string()); }), HasSubstr("gmsh format 1 is not supported"));
     std::ofstream(file) << "$Comments\nby hand\n$EndComments\n" << content("sheet_2.2_text.msh");
     EXPECT_EQ(read_mesh(file.string()).elements.size(), 12u);
     std::filesystem::remove(file);
-    EXPECT_THAT(refusal([] { return read_mesh(std::string(CORPUSCLE_SOURCE_DIR)); }), HasSubstr("cannot be read"));
+    EXPECT_THAT(refusal_of([] { return read_mesh(std::string(CORPUSCLE_SOURCE_DIR)); }), HasSubstr("cannot be read"));
 }
 
 }  // namespace
